@@ -29,12 +29,13 @@ typedef enum MdtReportWay {
 /** Why the solver was chosen (MdtWorldSetSolver); for a world, the reason of the first partition with the world's way.
  */
 typedef enum MdtReportWhy {
-    MdtReportWhyNone,  /**< nothing was solved */
-    MdtReportWhyAsked, /**< the program's choice, or an accuracy of 0 */
-    MdtReportWhyUnfit, /**< exact, since the fast solver is unfit: rows made by the program, more rows than the cap, or
-                            bodies in free flight that conserve energy; without contacts also where the program asked
-                            for the fast solver, or where it missed the accuracy */
-    MdtReportWhyCheap, /**< exact: at most the cost of the fast solver; without contacts, a hundred times that */
+    MdtReportWhyNone,     /**< nothing was solved */
+    MdtReportWhyAsked,    /**< the program's choice, or an accuracy of 0 */
+    MdtReportWhyUnfit,    /**< exact, since the fast solver is unfit: rows made by the program, a mimic of more than two
+                            bodies, more rows than the cap, or bodies in free flight that conserve energy; without
+                            contacts also where the program asked for the fast solver, or where it missed the
+                            accuracy */
+    MdtReportWhyCheap,    /**< exact: at most the cost of the fast solver; without contacts, a hundred times that */
     MdtReportWhyAfforded, /**< exact: paid by the world's accounts of exact work */
     /* reasons for the fast solver */
     MdtReportWhyFlight,    /**< no contact is with the world, and contacts are not timed (MdtWorldSetTimedContacts) */

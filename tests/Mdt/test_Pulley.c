@@ -125,6 +125,29 @@ TEST(a_slack_rope_stops_what_falls_into_it) {
     assert_near_rel(MdtPulleyGetTension(s.pulley), gravity, TOL(1e-4, 1e-4));
 }
 
+/* The heavier load stands on the ground: the rope carries the weight of the other one, by either solver. */
+TEST(a_load_that_stands) {
+    for (int run = 0; run < 4; run++) {
+        Atwood s = makeAtwood(5, 2, 1, run & 1, 0);
+        MdtWorldSetSolver(s.world, run & 2 ? MdtSolverFast : MdtSolverExact);
+        MdtContactID ground = MdtContactCreateBetween(s.world, s.load[0], NULL);
+        MdtContactSetPosition(ground, 0, -5, 0);
+        MdtContactSetNormal(ground, 0, 1, 0);
+        MdtContactEnable(ground);
+        MdtWorldEnableReport(s.world);
+        MdtReport report;
+        steps(s.world, 30, FRAME);
+        MdtWorldGetReport(s.world, &report);
+        ck_assert_int_eq(report.way == MdtReportWayFast, (run & 2) != 0);
+        steps(s.world, 30, FRAME);
+        MeVector3 f;
+        MdtContactGetForce(ground, 0, f);
+        assert_near(f[1], 3 * gravity, TOL(1e-3, 1e-3));
+        assert_near(MdtPulleyGetTension(s.pulley), 2 * gravity, TOL(1e-3, 1e-3));
+        assert_near(speedOf(s.load[1]), 0, TOL(1e-5, 1e-5));
+    }
+}
+
 /* A winch: the program changes the length. */
 TEST(a_length_that_changes_lifts) {
     Atwood s = makeAtwood(1, 1, 1, 1, 0);
