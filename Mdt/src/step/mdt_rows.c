@@ -14,17 +14,9 @@ static void setMeanPose(MdtKeaTransformation *mean, const MdtKeaTransformation *
     }
 }
 
-const MdtKeaTransformation *mdt_sidePose(const MdtIsland *p, const MdtBaseConstraint *c, int k, double share,
-                                         const MdtKeaTransformation poses[], MdtKeaTransformation *memory) {
-    return mdt_movedPose(p, c->side[k].body, share, poses, memory);
-}
-
-const MdtKeaTransformation *mdt_movedPose(const MdtIsland *p, const MdtBody *b, double share,
-                                          const MdtKeaTransformation poses[], MdtKeaTransformation *memory) {
-    const MdtMover *m = b ? b->mover : NULL;
+static const MdtKeaTransformation *moverPose(const MdtIsland *p, const MdtMover *m, double share,
+                                             MdtKeaTransformation *memory) {
     const double start = p->late + p->elapsed, h = p->parameters.stepsize;
-    if (!m)
-        return b ? &poses[b->index] : &MdtBclWorldPose;
     MdtKeaMoverPose(&m->kea, start + (share == 1 ? h : 0), memory);
     if (share == 0.5) {
         MdtKeaTransformation end;
@@ -34,51 +26,54 @@ const MdtKeaTransformation *mdt_movedPose(const MdtIsland *p, const MdtBody *b, 
     return memory;
 }
 
-void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity *worldVelocity, MdtBclContext *x) {
-    const MdtKeaSystem *kea = &p->kea;
-    x->parameters = p->parameters;
-    x->elapsed = p->elapsed;
-    for (int k = 0; k < 2; k++) {
-        const MdtBodyID b = mdt_sideBody(c, k);
-        const MdtMover *m = mdt_sideMover(c, k);
-        const MdtKeaVelocity *given = m ? &m->kea.chord : worldVelocity;
-        MEASSERT(!b || p->bodies[b->index] == b);
-        x->body[k] = b ? b->index : MdtBclNO_BODY;
-        x->kea[k] = b ? &b->kea : NULL;
-        x->pose[k] = mdt_sidePose(p, c, k, 0, kea->pose, &x->moverPose[k]);
-        x->velocity[k] = b ? &kea->velocity[b->index] : given;
-        x->predicted[k] = b ? &kea->predicted[b->index] : given;
-        x->invMass[k] = b ? &kea->invMass[b->index] : &MdtBclWorldInvMass;
-    }
+/* The pose of a body, or the world's, after a share of the part: in `poses`, or of a mover in `memory`. */
+static inline const MdtKeaTransformation *poseOf(const MdtIsland *p, const MdtBody *b, double share,
+                                                 const MdtKeaTransformation poses[], MdtKeaTransformation *memory) {
+    if (b && b->mover)
+        return moverPose(p, b->mover, share, memory);
+    return b ? &poses[b->index] : &MdtBclWorldPose;
 }
 
-/* The further bodies of a mimic: poses after `share` of the sub-step, and velocities. */
+/* The further bodies of a mimic. */
 static void setFurther(const MdtIsland *p, const MdtJoint *j, double share, const MdtKeaTransformation poses[],
                        MdtBclContext *x) {
     for (int k = 0; k < 2 && j->further[k]; k++) {
         const MdtBody *b = j->further[k];
         MEASSERT(b->mover || p->bodies[b->index] == b);
         x->body[2 + k] = b->mover ? MdtBclNO_BODY : b->index;
-        x->pose[2 + k] = mdt_movedPose(p, b, share, poses, &x->moverPose[2 + k]);
+        x->pose[2 + k] = poseOf(p, b, share, poses, &x->moverPose[2 + k]);
         x->velocity[2 + k] = b->mover ? &b->mover->kea.chord : &p->kea.velocity[b->index];
     }
 }
 
 void mdt_jointContext(const MdtIsland *p, MdtJoint *j, double share, const MdtKeaTransformation poses[],
                       MdtBclContext *x) {
-    mdt_rowsContext(p, &j->base, &j->worldVelocity, x);
-    for (int k = 0; k < 2; k++)
-        x->pose[k] = mdt_sidePose(p, &j->base, k, share, poses, &x->moverPose[k]);
-    setFurther(p, j, share, poses, x);
+    const MdtKeaSystem *kea = &p->kea;
+    x->parameters = p->parameters;
+    x->elapsed = p->elapsed;
     x->firstRow = j->firstRow;
+    for (int k = 0; k < 2; k++) {
+        const MdtBodyID b = mdt_sideBody(&j->base, k);
+        const MdtMover *m = mdt_sideMover(&j->base, k);
+        const MdtKeaVelocity *given = m ? &m->kea.chord : &j->worldVelocity;
+        MEASSERT(!b || p->bodies[b->index] == b);
+        x->body[k] = b ? b->index : MdtBclNO_BODY;
+        x->kea[k] = b ? &b->kea : NULL;
+        x->pose[k] = m ? moverPose(p, m, share, &x->moverPose[k]) : b ? &poses[b->index] : &MdtBclWorldPose;
+        x->velocity[k] = b ? &kea->velocity[b->index] : given;
+        x->predicted[k] = b ? &kea->predicted[b->index] : given;
+        x->invMass[k] = b ? &kea->invMass[b->index] : &MdtBclWorldInvMass;
+    }
+    if (j->further[0])
+        setFurther(p, j, share, poses, x);
 }
 
 void mdt_jointPoses(const MdtIsland *p, const MdtJoint *j, double share, const MdtKeaTransformation poses[],
                     const MdtKeaTransformation *pose[], MdtKeaTransformation memory[]) {
     for (int k = 0; k < 2; k++)
-        pose[k] = mdt_sidePose(p, &j->base, k, share, poses, &memory[k]);
+        pose[k] = poseOf(p, j->base.side[k].body, share, poses, &memory[k]);
     for (int k = 0; k < 2 && j->further[k]; k++)
-        pose[2 + k] = mdt_movedPose(p, j->further[k], share, poses, &memory[2 + k]);
+        pose[2 + k] = poseOf(p, j->further[k], share, poses, &memory[2 + k]);
 }
 
 /* ---- counting ---- */

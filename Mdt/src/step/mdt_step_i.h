@@ -95,21 +95,13 @@ void mdt_rowsMake(MdtIsland *p);
 /* Callbacks of Kea for other poses of the bodies: the joints' rows, and their errors. The context is the island. */
 void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation poses[]);
 void MEAPI mdt_rowsErrors(void *island, const MdtKeaTransformation poses[], double errors[]);
-/* The pose of a constraint's side after a share of the part: of its body in `poses`, or the world's. A mover's is
- * written to `memory`; share 1/2: the mean of start and end. */
-const MdtKeaTransformation *mdt_sidePose(const MdtIsland *p, const MdtBaseConstraint *c, int side, double share,
-                                         const MdtKeaTransformation poses[], MdtKeaTransformation *memory);
-/* The same for a body, which may be null: the world. */
-const MdtKeaTransformation *mdt_movedPose(const MdtIsland *p, const MdtBody *b, double share,
-                                          const MdtKeaTransformation poses[], MdtKeaTransformation *memory);
-/* The same for all sides of a joint: up to MdtBclMAXSIDES. */
+/* The poses of a joint's sides after a share of the part: of their bodies in `poses`, or the world's. A mover's is
+ * written to `memory`; share 1/2: the mean of start and end. Both have MdtBclMAXSIDES entries. */
 void mdt_jointPoses(const MdtIsland *p, const MdtJoint *j, double share, const MdtKeaTransformation poses[],
                     const MdtKeaTransformation *pose[], MdtKeaTransformation memory[]);
-/* The data of the system for a joint in this part, with the poses after a share of it; for any constraint, with those
- * at its start, and except firstRow. */
+/* The data of the system for a joint in this part, with these poses. */
 void mdt_jointContext(const MdtIsland *p, MdtJoint *j, double share, const MdtKeaTransformation poses[],
                       MdtBclContext *x);
-void mdt_rowsContext(const MdtIsland *p, MdtConstraintID c, const MdtKeaVelocity *worldVelocity, MdtBclContext *x);
 /* Leaves out rows of contacts, in the documented order (mdt_cap.c), until at most `max` of the partition's `rows` rows
  * are left. Returns the number of rows left. */
 int mdt_capRows(MdtIsland *p, int rows, int max);

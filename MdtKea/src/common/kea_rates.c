@@ -10,22 +10,32 @@ MeBool kea_mayReachBound(const MdtKeaRow *row) {
     return row->force > 0.5 * row->upper || row->force < 0.5 * row->lower;
 }
 
-double kea_endRate(const MdtKeaSystem *s, int i) {
-    const KeaProblemRow *p = &s->work->problem.row[i];
-    double rate = s->work->movingRate[i];
+/* Adds the end rate of a record to `rate`. */
+static inline double addEndRate(const MdtKeaSystem *s, const KeaProblemRow *p, double rate) {
     for (int k = 0; k < 2; k++)
         if (p->body[k] >= 0)
             rate += kea_bodyRate(p->J[k], s->work->body[p->body[k]].endVelocity);
-    return p->isSplit ? rate + kea_endRate(s, i + 1) : rate;
+    return rate;
+}
+
+double kea_endRate(const MdtKeaSystem *s, int i) {
+    const KeaProblemRow *p = &s->work->problem.row[i];
+    const double rate = addEndRate(s, p, s->work->movingRate[i]);
+    return p->isSplit ? addEndRate(s, p + 1, rate) : rate;
+}
+
+/* Adds the mean rate of a record to `rate`. */
+static inline double addMeanRate(const MdtKeaSystem *s, const KeaProblemRow *p, double rate) {
+    for (int k = 0; k < 2; k++)
+        if (p->body[k] >= 0)
+            rate += kea_bodyRate(p->J[k], s->work->body[p->body[k]].u);
+    return rate;
 }
 
 double kea_meanRate(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
-    double rate = 0;
-    for (int k = 0; k < 2; k++)
-        if (p->body[k] >= 0)
-            rate += kea_bodyRate(p->J[k], s->work->body[p->body[k]].u);
-    return p->isSplit ? rate + kea_meanRate(s, i + 1) : rate;
+    const double rate = addMeanRate(s, p, 0);
+    return p->isSplit ? addMeanRate(s, p + 1, rate) : rate;
 }
 
 double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row) {

@@ -30,13 +30,19 @@ static void applyBody(const KeaProblem *q, int b, double r[6], const double d[6]
         keaApply(r + 3, (const double(*)[3])q->tangentInertia[b], d + 3);
 }
 
-/* m/s: the rate of row i at the velocities v, by the derivative of the problem that is solved. */
-static double rateAlong(const KeaProblem *q, int i, double (*const v)[6]) {
+/* m/s: the rate of record i, without its tail, at the velocities v, by the derivative of the problem that is solved. */
+static inline double recordRateAlong(const KeaProblem *q, int i, double (*const v)[6]) {
     double(*const J)[6] = derivativeOf(q, i), sum = 0;
     for (int k = 0; k < 2; k++)
         if (q->row[i].body[k] >= 0)
             sum += kea_dot6(J[k], v[q->row[i].body[k]]);
-    return q->row[i].isSplit ? sum + rateAlong(q, i + 1, v) : sum;
+    return sum;
+}
+
+/* The same of row i. */
+static double rateAlong(const KeaProblem *q, int i, double (*const v)[6]) {
+    const double rate = recordRateAlong(q, i, v);
+    return q->row[i].isSplit ? rate + recordRateAlong(q, i + 1, v) : rate;
 }
 
 /* ---- forces ---- */
@@ -132,11 +138,9 @@ void kea_newtonGradient(KeaProblem *q) {
 
 /* Adds the rounding of a row's force, N s, to the tolerances of its bodies. */
 static void addTolerance(KeaProblem *q, const KeaProblemRow *row, double known) {
-    for (int k = 0; k < 2; k++)
-        if (row->body[k] >= 0)
-            q->tolerance[row->body[k]] += row->weight[k] * known;
-    if (row->isSplit)
-        addTolerance(q, row + 1, known);
+    for (int k = 0; k < (row->isSplit ? 4 : 2); k++)
+        if (row[k / 2].body[k % 2] >= 0)
+            q->tolerance[row[k / 2].body[k % 2]] += row[k / 2].weight[k % 2] * known;
 }
 
 /* Tolerances include the effect of the rounding of r and J d on p. */

@@ -125,22 +125,33 @@ static inline double kea_bodyRate(const double J[6], const double v[6]) {
     return keaDot(J, v) + keaDot(J + 3, v + 3);
 }
 
-/* J v of a row; v by body. */
-static inline double kea_rowRate(const KeaProblemRow *row, double (*const v)[6]) {
+/* J v of a row without its tail; v by body. */
+static inline double kea_recordRate(const KeaProblemRow *row, double (*const v)[6]) {
     double rate = 0;
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
             rate += kea_bodyRate(row->J[k], v[row->body[k]]);
-    return row->isSplit ? rate + kea_rowRate(row + 1, v) : rate;
+    return rate;
+}
+
+/* J v of a row; v by body. */
+static inline double kea_rowRate(const KeaProblemRow *row, double (*const v)[6]) {
+    const double rate = kea_recordRate(row, v);
+    return row->isSplit ? rate + kea_recordRate(row + 1, v) : rate;
+}
+
+/* Adds Jᵀ p of a row without its tail to `total`, by body. */
+static inline void kea_addRecordForce(double (*total)[6], const KeaProblemRow *row, double p) {
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            kea_addScaled6(total[row->body[k]], p, row->J[k]);
 }
 
 /* Adds Jᵀ p of a row to `total`, by body. */
 static inline void kea_addRowForce(double (*total)[6], const KeaProblemRow *row, double p) {
-    for (int k = 0; k < 2; k++)
-        if (row->body[k] >= 0)
-            kea_addScaled6(total[row->body[k]], p, row->J[k]);
+    kea_addRecordForce(total, row, p);
     if (row->isSplit)
-        kea_addRowForce(total, row + 1, p);
+        kea_addRecordForce(total, row + 1, p);
 }
 
 /* N s: the impulse of row i, of a tail that of its head. */

@@ -41,11 +41,11 @@ static void addRowResponse(double *d, const KeaMetric *B, double p, const double
 
 /* Adds the response of all bodies of a row to the impulse p. */
 static void addImpulse(KeaProblem *q, const KeaProblemRow *row, double p) {
-    for (int k = 0; k < 2 && p != 0; k++)
-        if (row->body[k] >= 0)
-            addRowResponse(q->d[row->body[k]], &q->metric[row->body[k]], p, row->J[k]);
-    if (row->isSplit)
-        addImpulse(q, row + 1, p);
+    const int last = row->isSplit ? 1 : 0;
+    for (const KeaProblemRow *record = row; record <= row + last; record++)
+        for (int k = 0; k < 2 && p != 0; k++)
+            if (record->body[k] >= 0)
+                addRowResponse(q->d[record->body[k]], &q->metric[record->body[k]], p, record->J[k]);
 }
 
 /* d := B⁻¹ (Jᵀ p - g). */
