@@ -505,7 +505,7 @@ void MEAPI MdtWorldSetMatrixSizeLog(const MdtWorldID w, int *const sizeLog, cons
 
 /* Do the counts of what is enabled, or of a kind, agree with the lists? */
 static MeBool areCountsRight(const MdtWorld *w) {
-    int bodies = 0, constraints = 0, joints = 0, noCollide = 0, ofProgram = 0, all = 0;
+    int bodies = 0, constraints = 0, joints = 0, noCollide = 0, ofProgram = 0, mimics = 0, all = 0;
     for (const MdtLink *link = w->bodies.first; link; link = link->next)
         bodies += ((const MdtBody *)mdt_linkOwner(link))->record.flags & MDT_ENABLED;
     for (const MdtLink *link = w->constraints.first; link; link = link->next) {
@@ -515,11 +515,13 @@ static MeBool areCountsRight(const MdtWorld *w) {
         joints += isEnabled && isJoint;
         noCollide += isJoint && (c->record.flags & MDT_NO_COLLIDE);
         ofProgram += isJoint && ((const MdtJoint *)(const void *)c)->bcl.type == MdtBclUSER;
+        mimics += isJoint && ((const MdtJoint *)(const void *)c)->bcl.type == MdtBclMIMIC;
         all += isJoint ? 1 : (int)((const MdtManifold *)(const void *)c)->numPoints;
         all += !isJoint && !(c->record.flags & MDT_LONE);
     }
     return bodies == w->enabledBodies && constraints == w->enabledConstraints && joints == w->enabledJoints &&
-           noCollide == w->numNoCollide && ofProgram == w->userConstraints && all == w->numConstraints;
+           noCollide == w->numNoCollide && ofProgram == w->userConstraints && mimics == w->mimics &&
+           all == w->numConstraints;
 }
 
 void MEAPI MdtWorldAdvance(const MdtWorldID w, const MeReal h, const MeBool stopAtSafeTime) {
