@@ -1,5 +1,6 @@
 /* Gears: wheels on parallel and on crossed shafts, racks, housings. A wheel of the moment 2 about z drives one of the
  * moment 3; both are spheres to everything else. */
+#include "MdtInternal.h"
 #include "measure.h"
 
 static const double moment[2] = {2, 3};
@@ -258,6 +259,9 @@ TEST(a_rack_moves_by_the_radius_times_the_angle) {
             f[i] = read[i];
         assert_near_rel(f[0], 3 * a - 10, lag);
         assert_near(f[1] + f[2], 0, 1e-6);
+        assert_near(MdtGearGetError(gear), 0, 1e-8);
+        const double by[3] = {64, -32, 8};
+        ck_assert(MdtWorldShift(w, by));
         assert_near(MdtGearGetError(gear), 0, 1e-8);
     }
 }

@@ -1,4 +1,5 @@
 /* Pulleys: Atwood's machine, also swinging, tackles, slack ropes. */
+#include "MdtInternal.h"
 #include "measure.h"
 
 typedef struct {
@@ -157,6 +158,21 @@ TEST(a_length_that_changes_lifts) {
     }
     /* gamma of an error is removed in a step, so that it lags by (1 - gamma) / gamma of a step's change */
     assert_near(sumOf(s, 1), 10 - .5 * (299 - 4) / 60, TOL(1e-5, 1e-6));
+}
+
+/* Wheels in the world go with it when the origin is moved. */
+TEST(wheels_move_with_the_origin) {
+    static const double by[3] = {64, -32, 8};
+    Atwood s = makeAtwood(1, 3, 1, 0, 0);
+    steps(s.world, 30, FRAME);
+    const double before = MdtPulleyGetDistance(s.pulley, 0);
+    ck_assert(MdtWorldShift(s.world, by));
+    MeVector3 wheel;
+    MdtPulleyGetWheel(s.pulley, 1, wheel);
+    assert_vec3_near(wheel, 65, -32, 8, 0);
+    assert_near(MdtPulleyGetDistance(s.pulley, 0), before, TOL(1e-6, 1e-12));
+    steps(s.world, 30, FRAME);
+    assert_near(speedOf(s.load[1]), -5, TOL(1e-5, 1e-6));
 }
 
 /* One end in the world: the rope only holds the other one, as a rod. */
