@@ -5,7 +5,7 @@
  * A coordinate is that of a moving frame m relative to a base frame b. Each frame is fixed in a body of the constraint,
  * or in the world:
  *
- *     angle      q = atan2(v_m · (a_b x v_b), v_m · v_b),  dq/dt = a_m·(ω_m - ω_b),  full turns counted
+ *     angle      q = atan2(v_m · (a_m x v_b), v_m · v_b),  dq/dt = a_m·(ω_m - ω_b),  full turns counted
  *     slide      q = a_b · (P_m - P_b)
  *     distance   q = |P_m - P_b|
  *
@@ -57,7 +57,7 @@ static double angleOf(const MdtBclCoordinate *q, const MdtKeaTransformation *con
     double moving[3], base[3], axis[3], across[3];
     keaApply(moving, poseOf(q, 0, pose)->R, q->frame[0].ortho);
     keaApply(base, poseOf(q, 1, pose)->R, q->frame[1].ortho);
-    keaApply(axis, poseOf(q, 1, pose)->R, q->frame[1].primary);
+    keaApply(axis, poseOf(q, 0, pose)->R, q->frame[0].primary);
     keaCross(across, axis, base);
     const double angle = atan2(keaDot(moving, across), keaDot(moving, base));
     const double turn = 6.283185307179586476925;

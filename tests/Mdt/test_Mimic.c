@@ -221,6 +221,40 @@ TEST(joints_in_a_row) {
     assert_near(rate[2], 0, 1e-4);
 }
 
+/* A locked differential: the motor at one wheel drives both, steered or not, against a brake at the other one. */
+TEST(wheels_of_a_car) {
+    const double edge[3] = {3, .5, 1.5}, disc[3] = {.5, .5, .1};
+    MdtWorldID w = scene_world(3, 3, 0);
+    MdtBodyID chassis = scene_box(w, 500, edge, 0, 0, 0), wheel[2];
+    MdtCarWheelID joint[2];
+    for (int i = 0; i < 2; i++) {
+        wheel[i] = scene_box(w, 10, disc, 1, 0, i ? .8 : -.8);
+        joint[i] = MdtCarWheelCreate(w);
+        MdtCarWheelSetBodies(joint[i], chassis, wheel[i]);
+        MdtCarWheelSetPosition(joint[i], 1, 0, (MeReal)(i ? .8 : -.8));
+        MdtCarWheelSetSteeringAndHingeAxes(joint[i], 0, 1, 0, 0, 0, 1);
+        MdtCarWheelSetSuspension(joint[i], 1e5, 1e3, 0, -1, 1, 0);
+        MdtCarWheelSetSteeringPositionMotor(joint[i], (MeReal).4, 5, 1, 1e5);
+        MdtCarWheelEnable(joint[i]);
+    }
+    MdtMimicID mimic = MdtMimicCreate(w);
+    MdtMimicSetJoints(mimic, MdtCarWheelQuaConstraint(joint[0]), MdtCarWheelQuaConstraint(joint[1]));
+    MdtMimicEnable(mimic);
+    MdtCarWheelSetHingeLimitedForceMotor(joint[0], 5, 20);
+    MdtCarWheelSetHingeLimitedForceMotor(joint[1], 0, 5);
+    double turned = 0, R[2][3][3];
+    for (int i = 0; i < 300; i++) {
+        MdtWorldStep(w, FRAME);
+        for (int k = 0; k < 2; k++)
+            measure_rotation(wheel[k], R[k]);
+        for (int k = 0; k < 9; k++)
+            assert_near(R[1][k / 3][k % 3], R[0][k / 3][k % 3], TOL(1e-5, 1e-6));
+        turned += (double)MdtCarWheelGetHingeAngleRate(joint[1]) / 60;
+    }
+    assert_near(MdtCarWheelGetSteeringAngle(joint[1]), .4, .02);
+    ck_assert(turned > 10);
+}
+
 /* ---- life ---- */
 
 TEST(a_joint_that_is_gone_ends_it) {

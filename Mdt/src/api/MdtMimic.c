@@ -9,8 +9,9 @@ static MdtJoint *sourceOf(MdtMimicID mimic, MdtConstraintID c, const char *calle
     const MdtBclJointType type = mdt_isConstraint(c, caller) ? mdt_constraintType(c) : MdtBclMIMIC;
     if (!c || !MdtConstraintIsValid(c))
         return NULL; /* was warned of */
-    if (type != MdtBclHINGE && type != MdtBclPRISMATIC)
-        MeWarning(1, "%s: a %s has no coordinate to mimic; pass a Hinge or a Prismatic", caller, mdt_constraintName(c));
+    if (type != MdtBclHINGE && type != MdtBclPRISMATIC && type != MdtBclCARWHEEL)
+        MeWarning(1, "%s: a %s has no coordinate to mimic; pass a Hinge, a Prismatic or a CarWheel", caller,
+                  mdt_constraintName(c));
     else if (c->world != ((MdtConstraintID)mimic)->world)
         MeWarning(1, "%s: the %s belongs to another world; nothing is changed", caller, mdt_constraintName(c));
     else if (!c->side[0].body && !c->side[1].body)

@@ -24,18 +24,38 @@ static MeBool isSource(const MdtJoint *j) {
     return j && (j->base.record.flags & MDT_ENABLED);
 }
 
-/* Copies what a coordinate is measured by. */
-static void copyCoordinate(MdtJoint *mimic, const MdtJoint *j, MdtBclCoordinate *q) {
-    MEASSERT(j->bcl.type == MdtBclHINGE || j->bcl.type == MdtBclPRISMATIC);
-    q->kind = j->bcl.type == MdtBclHINGE ? MdtBclCoordinateAngle : MdtBclCoordinateSlide;
+/* A frame whose primary axis is the second one. */
+static MdtBclFrame turnedFrame(const MdtBclFrame *frame) {
+    MdtBclFrame turned = *frame;
+    keaCopy(turned.primary, frame->ortho);
+    keaCopy(turned.ortho, frame->primary);
+    return turned;
+}
+
+/* Of a car wheel the wheel, body 1, turns about the second axis of its frame, from the steering axis on. */
+static void copyFrames(MdtJoint *mimic, const MdtJoint *j, MdtBclCoordinate *q) {
+    const MeBool isWheel = j->bcl.type == MdtBclCARWHEEL;
     for (int k = 0; k < 2; k++) {
-        q->frame[k] = j->bcl.frame[k];
-        q->side[k] = findSide(mimic, j->base.side[k].body);
+        const int of = isWheel ? 1 - k : k;
+        q->frame[k] = isWheel ? turnedFrame(&j->bcl.frame[of]) : j->bcl.frame[of];
+        q->side[k] = findSide(mimic, j->base.side[of].body);
     }
-    if (!q->isMeasured && j->bcl.of.limit.isMeasured) { /* full turns that the joint has counted */
+}
+
+/* Copies what a coordinate is measured by, and first the full turns that a limit has counted. */
+static void copyCoordinate(MdtJoint *mimic, const MdtJoint *j, MdtBclCoordinate *q) {
+    const MeBool isWheel = j->bcl.type == MdtBclCARWHEEL;
+    MEASSERT(isWheel || j->bcl.type == MdtBclHINGE || j->bcl.type == MdtBclPRISMATIC);
+    q->kind = j->bcl.type == MdtBclPRISMATIC ? MdtBclCoordinateSlide : MdtBclCoordinateAngle;
+    copyFrames(mimic, j, q);
+    if (!q->isMeasured && !isWheel && j->bcl.of.limit.isMeasured) {
         q->measured = j->bcl.of.limit.measured;
         q->isMeasured = METRUE;
     }
+}
+
+static double offsetOf(const MdtJoint *j) {
+    return j->bcl.type == MdtBclCARWHEEL ? 0 : (double)j->bcl.of.limit.offset;
 }
 
 /* Whether both sides are bodies of the joints, no two bodies are movers, and all others are in one partition: joints
@@ -70,7 +90,7 @@ MeBool mdt_mimicUpdate(MdtJoint *mimic) {
     mimic->further[0] = mimic->further[1] = NULL;
     for (int i = 0; i < 2 && u->isReady; i++) {
         copyCoordinate(mimic, j[i], &u->coordinate[i]);
-        u->constant -= u->coordinate[i].factor * (double)j[i]->bcl.of.limit.offset;
+        u->constant -= u->coordinate[i].factor * offsetOf(j[i]);
     }
     u->isReady = u->isReady && areBodiesSound(mimic);
     for (int i = 0; i < 2 && !u->isReady; i++)
