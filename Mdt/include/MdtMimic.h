@@ -5,8 +5,8 @@
  *
  *  Both are hinges (rad, full turns counted) or prismatic joints (m), with the coordinates that their limits show
  *  (MdtLimitGetPosition), or car wheels (rad about the hinge axis), in any combination. Turns of a car wheel, and of a
- *  hinge whose limit does not measure, are counted from when the mimic is enabled. Limits and motors of either work, and
- *  act on both; forces go both ways. It adds one row.
+ *  hinge whose limit does not measure, are counted from when the mimic is enabled. Limits and motors of either work,
+ *  and act on both; forces go both ways. It adds one row.
  *
  *  The joints may have up to four bodies, such as two fingers and the hand that carries them. Then the mimic's
  *  partition is solved by the exact solver, also where the program asks for the fast one. Of these bodies one may be
@@ -32,7 +32,8 @@ MEPUBLIC void MEAPI MdtMimicReset(const MdtMimicID j);
 MEPUBLIC MdtConstraintID MEAPI MdtMimicQuaConstraint(const MdtMimicID j);
 /** The constraint as a mimic; null if it is none. */
 MEPUBLIC MdtMimicID MEAPI MdtConstraintDCastMimic(const MdtConstraintID c);
-/** The two joints; attaches the mimic to their bodies. Attach the joints before. One that is none of these, of another world, unattached, or the same as the other gets a warning and changes nothing. */
+/** The two joints; attaches the mimic to their bodies. Attach the joints before. One that is none of these, of another
+ *  world, unattached, or the same as the other gets a warning and changes nothing. */
 MEPUBLIC void MEAPI MdtMimicSetJoints(const MdtMimicID j, const MdtConstraintID first, const MdtConstraintID second);
 /** The joint of index 0 or 1; null: not set, or destroyed. */
 MEPUBLIC MdtConstraintID MEAPI MdtMimicGetJoint(const MdtMimicID j, const unsigned int jointindex);
