@@ -14,7 +14,7 @@ set(KARMA_ONCE
 set(KARMA_ONCE_WITHOUT_SANITIZERS
   install.programs viewer.interface sweep.settings
   scenes.arm scenes.faults scenes.linkage scenes.motor scenes.rings scenes.scenes
-  Mcd.BoxBox Mcd.Ccd Mcd.Guess Mcd.RandomPoses Mcd.Sliding
+  Mcd.BoxBox Mcd.Ccd Mcd.Guess Mcd.RandomPoses Mcd.Sampled Mcd.Sliding
   Mdt.Certificate Mdt.Degenerate Mdt.MisfitScenes Mdt.Order
   Mst.Blows Mst.Cases_Crowds Mst.Cases_Long Mst.Cases_Stacks Mst.Cases_Terrain Mst.Choice
   Mst.Collapse Mst.Crowd Mst.Forces Mst.Jointed Mst.Order_Contacts Mst.Reuse Mst.Scales Mst.Spikes Mst.WarmSteps Mst.WorkBudget
@@ -23,7 +23,7 @@ set(KARMA_ONCE_WITHOUT_SANITIZERS
 # Double precision: what asserts the same of both (no TOL(), no _ME_API_DOUBLE) and has no arithmetic of MeReal in it;
 # pictures; and convex shapes, which Mcd has in double in each build.
 set(KARMA_ONCE_IN_SINGLE
-  scenes.linkage scenes.rings Mcd.BoxBox Mcd.Ccd Mcd.Convex Mcd.Guess Mcd.RandomPoses Mcd.Threads
+  scenes.linkage scenes.rings Mcd.BoxBox Mcd.Ccd Mcd.Convex Mcd.Guess Mcd.RandomPoses Mcd.Sampled Mcd.Threads
   Mst.Advise Mst.Callbacks Mst.Cases_Long Mst.Memory Mst.Threads states.longrun
   MeApp.window viewer.Picture viewer.Up viewer.interface viewer.runs viewer.window tutorials.advise install.programs fuzz.files)
 
@@ -33,10 +33,11 @@ set(KARMA_DEAR
   structure.format structure.headers structure.build_types structure.policy states.*
   MeApp.window viewer.Picture viewer.Up viewer.interface viewer.runs viewer.window
   scenes.faults scenes.instructions scenes.linkage scenes.rings scenes.scenes
-  Mcd.BoxBox Mcd.Ccd Mcd.Convex Mcd.Guess Mcd.MassProperties Mcd.MeshQuery Mcd.RandomPoses Mcd.Threads Mcd.TriangleList
+  Mcd.BoxBox Mcd.Ccd Mcd.Convex Mcd.Guess Mcd.MassProperties Mcd.MeshQuery Mcd.RandomPoses Mcd.Sampled Mcd.Threads
+  Mcd.TriangleList
   Mdt.Certificate Mdt.MisfitScenes Mdt.Order Mdt.RandomScenes
   Mst.Advise Mst.Blows Mst.Callbacks Mst.Cases_Crowds Mst.Cases_Impacts Mst.Cases_Long Mst.Cases_Stacks
-  Mst.Cases_Terrain Mst.Choice Mst.Continuous Mst.Crowd Mst.Forces Mst.Grounds Mst.Heaps
+  Mst.Cases_Terrain Mst.Choice Mst.Continuous Mst.ConvexType Mst.Crowd Mst.Forces Mst.Grounds Mst.Heaps
   Mst.Jointed Mst.Memory Mst.Reuse Mst.Scales Mst.Spikes
   Mst.Threads Mst.WarmSteps Mst.WorkBudget)
 

@@ -14,6 +14,7 @@
 #include "McdContact.h"
 #include "McdConvexInteractions.h"
 #include "McdConvexMesh.h"
+#include "McdConvexType.h"
 #include "McdCullingTable.h"
 #include "McdCylinder.h"
 #include "McdFrame.h"

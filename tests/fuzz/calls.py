@@ -42,7 +42,8 @@ EXCEPTIONS = [
      'take the library\'s own arrays, in callbacks'),
     (r'MdtWorldSetMatrixSizeLog$', 'keeps an array of any size'),
     (r'McdGeometry(Init|Deinit)$|McdGeometry(Set|Increment|Decrement)\w*ReferenceCount$|McdFrameworkRegisterGeometryType$|'
-     r'McdFrameworkSetInteractions(Warned)?$|McdFrameworkSetLineSegInteraction$',
+     r'McdFrameworkSetInteractions(Warned)?$|McdFrameworkSetLineSegInteraction$|McdFrameworkRegisterConvexType$|'
+     r'McdConvex(Create|SetData|GetData)$',
      'for geometry types of a program, which are memory of the program'),
     (r'McdModelPairContainer(Init|RemovePair)$', 'an array of the program'),
     (r'McdCullingTableDestroy$', 'a table that models use'),

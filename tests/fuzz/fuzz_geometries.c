@@ -96,7 +96,32 @@ static McdGeometryID makeParts(const Shape *s) {
     return whole;
 }
 
-enum { TYPES = 10 };
+/* A program's own: an ellipsoid, a box with a rounding, and one whose function is not that of a convex shape. */
+static void MEAPI ownSupport(const void *data, const double direction[3], double point[3]) {
+    const double *x = data;
+    double length = 0;
+    for (int i = 0; i < 3; i++)
+        length += x[i] * direction[i] * x[i] * direction[i];
+    length = sqrt(length);
+    for (int i = 0; i < 3; i++)
+        if (x[3] < 1)
+            point[i] = length > 0 ? x[i] * x[i] * direction[i] / length : 0;
+        else
+            point[i] = x[3] < 2 ? copysign(x[i], direction[i]) : x[i] * sin(1e3 * direction[(i + 1) % 3]);
+}
+
+static double MEAPI ownRounding(const void *data) {
+    return fabs(((const double *)data)[4]);
+}
+
+static McdGeometryID makeOwn(const Shape *s) {
+    static const McdConvexFunctions functions = {.support = ownSupport, .rounding = ownRounding};
+    const double data[5] = {(double)s->number[0], (double)s->number[1], (double)s->number[2], s->type - 10,
+                            s->type == 11 ? (double)s->number[3] : 0};
+    return McdConvexCreate(frame, McdFrameworkRegisterConvexType(frame, "Own", sizeof data, &functions), data);
+}
+
+enum { TYPES = 13 };
 
 static McdGeometryID make(const Shape *s) {
     const MeReal *x = s->number;
@@ -119,8 +144,10 @@ static McdGeometryID make(const Shape *s) {
         return makeHeights(s);
     case 8:
         return makeTriangles(s);
-    default:
+    case 9:
         return makeParts(s);
+    default:
+        return makeOwn(s);
     }
 }
 

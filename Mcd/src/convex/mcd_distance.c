@@ -20,6 +20,9 @@
 
 /* Tolerance of distances, relative to the smaller shape; rounding of coordinates, relative to the larger shape. */
 static const double tolerance = 1e-9, resolution = 1e-14;
+/* Tolerance of the search for shapes whose normal is made exact afterwards (mcd_polish.c): depths are documented to
+ * 1e-6. */
+static const double rough = 2e-7;
 
 /* A point w = a - b of M, with its points a of A and b of B. */
 typedef struct Corner {
@@ -270,6 +273,7 @@ typedef struct Polytope {
     int facetFrom[MAX_CORNERS]; /* of each corner: the new facet whose first corner it is; -1: none */
     double epsilon;
     double normal[3], support; /* the best direction so far, and M's support along it: an upper bound of the depth */
+    double error;              /* m, of the depth */
 } Polytope;
 
 /* Computes the facet's plane; false if its corners are collinear. */
@@ -438,7 +442,7 @@ static void keepDirection(Polytope *t, const Facet *f, double support) {
  * the result is the best plane so far: an upper bound of the depth, not the minimum. */
 static void runEpa(const Pair *p, const McdProximity *guess, Polytope *t) {
     int seen[MAX_FACETS];
-    t->support = INFINITY;
+    t->support = t->error = INFINITY;
     for (int round = 0; t->cornerCount < MAX_CORNERS; round++) {
         const int nearest = nearestFacet(t);
         if (nearest < 0)
@@ -447,6 +451,7 @@ static void runEpa(const Pair *p, const McdProximity *guess, Polytope *t) {
         if (-guess->separation - f.offset <= p->guessTolerance && mcd_dot(guess->normal, f.normal) < -.99) {
             t->support = -guess->separation;
             mcd_scale(t->normal, guess->normal, -1);
+            t->error = 0;
             return;
         }
         const int corner = t->cornerCount;
@@ -456,6 +461,7 @@ static void runEpa(const Pair *p, const McdProximity *guess, Polytope *t) {
                  !mcd_areResolved(p->a, p->b)); /* M contains the facet's corners */
         if (support - f.offset <= p->tolerance) {
             keepDirection(t, &f, support);
+            t->error = support - f.offset;
             return;
         }
         if (support < t->support)
@@ -649,33 +655,60 @@ static void reportPenetration(const Polytope *t, McdProximity *out) {
 
 static void findPenetration(const Pair *p, const Simplex *s, const McdProximity *guess, McdProximity *out) {
     Polytope t;
+    out->error = 0;
     if (!startPolytope(p, s, &t)) {
         reportFlat(p, s, &t, out);
         return;
     }
     runEpa(p, guess, &t);
     reportPenetration(&t, out);
+    out->error = t.error;
+}
+
+/* GJK, and EPA if the cores overlap. Sets the error of the separation. */
+static MeBool searchCores(const Pair *pair, double limit, const McdProximity *guess, McdProximity *p) {
+    Simplex s = {.count = 0};
+    double bound = p->separation;
+    switch (runGjk(pair, limit, &s, &bound)) {
+    case BEYOND_LIMIT:
+        p->separation = bound;
+        return MEFALSE;
+    case SEPARATED:
+        reportSeparated(&s, p);
+        p->error = p->separation - bound;
+        break;
+    case OVERLAPPING:
+        findPenetration(pair, &s, guess, p);
+        break;
+    }
+    return p->separation <= limit;
+}
+
+/* A search with a larger tolerance, from which the polish makes the normal exact. False: beyond the limit. */
+static MeBool findRoughly(Pair pair, double limit, const McdProximity *guess, McdProximity *p, MeBool *isExact) {
+    const double exact = pair.tolerance;
+    pair.tolerance = MeMAX(exact, rough * mcd_pairSize(pair.a, pair.b));
+    const MeBool isFound = searchCores(&pair, limit, guess, p);
+    *isExact = isFound && (mcd_polishNormal(pair.a, pair.b, p) || p->error <= exact);
+    return isFound;
 }
 
 MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     const Pair pair = makePair(a, b);
+    const MeBool isSampled = a->kind->isSampled || b->kind->isSampled;
     McdProximity guess;
+    MeBool isExact = MEFALSE;
     mcd_guessFaces(a, b, &guess);
     mcd_guessSides(a, b, &guess);
     p->isGuess = 0;
     p->separation = guess.separation;
     if (guess.separation > limit)
         return MEFALSE;
-    Simplex s = {.count = 0};
-    switch (runGjk(&pair, limit, &s, &p->separation)) {
-    case BEYOND_LIMIT:
+    if (isSampled && !findRoughly(pair, limit, &guess, p, &isExact))
         return MEFALSE;
-    case SEPARATED:
-        reportSeparated(&s, p);
-        break;
-    case OVERLAPPING:
-        findPenetration(&pair, &s, &guess, p);
-        break;
-    }
+    if (!isExact && !searchCores(&pair, limit, &guess, p))
+        return MEFALSE;
+    if (isSampled && !isExact)
+        mcd_polishNormal(a, b, p);
     return p->separation <= limit;
 }

@@ -47,7 +47,7 @@ static MeBool isFaceGood(const McdShape *s, const McdFace *f) {
         for (int j = 0; j < i; j++)
             if (f->name[i] == f->name[j])
                 return MEFALSE;
-    for (int i = 0; i < f->count && f->count > 2 && mcd_shapeIsRigid(s); i++) {
+    for (int i = 0; i < f->count && f->count > 2 && mcd_shapeIsKnown(s); i++) {
         const double *p = f->point[i], *q = f->point[(i + 1) % f->count], *r = f->point[(i + 2) % f->count];
         double pq[3], qr[3], n[3];
         mcd_sub(pq, q, p);
@@ -56,7 +56,7 @@ static MeBool isFaceGood(const McdShape *s, const McdFace *f) {
         if (mcd_dot(n, f->normal) < -slack)
             return MEFALSE;
     }
-    return f->count < 3 || !mcd_shapeIsRigid(s) || mcd_isUnit(f->normal) || mcd_dot(f->normal, f->normal) == 0;
+    return f->count < 3 || !mcd_shapeIsKnown(s) || mcd_isUnit(f->normal) || mcd_dot(f->normal, f->normal) == 0;
 }
 
 void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f) {
@@ -535,6 +535,12 @@ static MeBool isAtVertex(const McdFace *f, MeU32 feature, const View *v, double 
     return MEFALSE;
 }
 
+/* The radius of a shape's surface at a contact. Sampling takes long: once for all contacts of a normal. */
+static double radiusAt(const McdShape *s, const double outward[3], const double position[3], const McdManifold *m,
+                       int side) {
+    return s->kind->isSampled && m->count > 1 ? m->point[0].radius[side] : mcd_surfaceRadius(s, outward, position);
+}
+
 static McdManifoldPoint *addContact(const McdShape *a, const McdShape *b, const View *v, const Candidate *s,
                                     McdManifold *m) {
     const double za = s->a - a->rounding, zb = s->b + b->rounding;
@@ -544,8 +550,8 @@ static McdManifoldPoint *addContact(const McdShape *a, const McdShape *b, const 
     p->separation = za - zb;
     p->feature = s->feature;
     const double out[3] = {-v->n[0], -v->n[1], -v->n[2]};
-    p->radius[0] = mcd_surfaceRadius(a, out, p->position);
-    p->radius[1] = mcd_surfaceRadius(b, v->n, p->position);
+    p->radius[0] = radiusAt(a, out, p->position, m, 0);
+    p->radius[1] = radiusAt(b, v->n, p->position, m, 1);
     p->isVertex[0] = p->isVertex[1] = MEFALSE;
     return p;
 }

@@ -170,9 +170,27 @@ static MeBool guessNormal(const McdShape *a, const McdShape *b, double limit, Mc
     return p->separation <= limit;
 }
 
+static MeBool isSmoothPoint(const McdShape *s, const McdFace *f) {
+    return s->kind->isSampled && f->count == 1 && f->isDisc;
+}
+
+/* The contact of a smooth surface, which is its support point: exact, while the search's witness points have the square
+ * root of the separation's error. A guess is verified: 0 unless the other shape is there. */
+static int smoothContact(const McdShape *a, const McdShape *b, MeBool isPointOfA, double margin, McdProximity *p,
+                         McdManifold *m) {
+    mcd_setFaceWitnesses(a, b, !isPointOfA, p);
+    const McdShape *other = isPointOfA ? b : a;
+    if (p->isGuess && !(mcd_pointDistance(other, isPointOfA ? p->onB : p->onA) + other->rounding <=
+                        mcd_faceBias * mcd_pairSize(a, b)))
+        return 0;
+    return mcd_pointManifold(a, b, p, 0, margin, m);
+}
+
 static int clipFacesAlongNormal(const McdShape *a, const McdShape *b, double margin, McdProximity *p, McdManifold *m) {
     McdFace faceA, faceB;
     findFacesAlong(a, b, p->normal, &faceA, &faceB);
+    if (isSmoothPoint(a, &faceA) || isSmoothPoint(b, &faceB))
+        return smoothContact(a, b, isSmoothPoint(a, &faceA), margin, p, m);
     if (!p->isGuess &&
         !(areAllAxesTried(a, b) && p->separation <= 0)) { /* else the separating axes prefer face normals already */
         preferFaceNormals(a, b, &faceA, &faceB, p);
@@ -274,4 +292,21 @@ double mcd_convexDistance(const McdShape *a, const McdShape *b, double onA[3], d
     mcd_copy(normal, p.normal);
     MEASSERT(isfinite(mcd_dot(normal, normal)) && !isnan(p.separation));
     return p.separation - a->rounding - b->rounding;
+}
+
+/* Kind of a point: a sphere without a radius. */
+static const McdKind pointKind = {.support = mcd_pointSupport, .face = mcd_pointFace, .rank = MCD_RANK_SPHERE};
+
+double mcd_pointGap(const McdShape *s, const double point[3], double normal[3]) {
+    McdShape dot = {.kind = &pointKind, .extent = s->extent};
+    double onDot[3], onShape[3];
+    mcd_copy(dot.place, point);
+    for (int i = 0; i < 3; i++)
+        dot.axis[i][i] = 1;
+    return mcd_convexDistance(&dot, s, onDot, onShape, normal);
+}
+
+double mcd_pointDistance(const McdShape *s, const double point[3]) {
+    double normal[3];
+    return mcd_pointGap(s, point, normal);
 }

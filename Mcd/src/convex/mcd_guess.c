@@ -8,7 +8,7 @@
  * (mcd_facesManifold). For overlapping shapes it is right if no direction has a smaller depth: if their Minkowski
  * difference M contains the ball around the origin whose radius is the guessed depth.
  */
-#include "convex/mcd_kind_i.h"
+#include "convex/mcd_sampled_i.h"
 
 typedef struct Pair {
     const McdShape *a, *b;
@@ -34,9 +34,13 @@ static void tryAxis(const Pair *p, const double axis[3], double bias, McdProximi
     tryNormal(p, n, bias, g);
 }
 
+static MeBool isFlatAlong(const McdShape *s, int axis) {
+    return ((s->kind->isSampled ? s->sampled->flatFaces >> 2 * axis & 3 : s->kind->flatAxes >> axis & 1)) != 0;
+}
+
 static void tryFlatFaces(const Pair *p, const McdShape *s, McdProximity *g) {
     for (int i = 0; i < 3; i++)
-        if (s->kind->flatAxes & 1u << i)
+        if (isFlatAlong(s, i))
             tryAxis(p, s->axis[i], 0, g);
 }
 

@@ -57,6 +57,7 @@ struct McdKind {
     double (*rim)(const McdShape *s, const double outward[3], const double point[3]);
     McdRank rank;
     MeU32 flatAxes; /* bits 1, 2, 4: local axis x, y, z is the normal of a flat face, tried first as separating axis */
+    MeBool isSampled; /* known by a support function of the program alone (mcd_sampled_i.h) */
     /* Visits the edges of the solid in the geometry's frame, for cross-sections; `sides` edges stand for a round
      * side. */
     void (*edges)(const McdGeometry *g, int sides, McdEdgeVisit visit, void *context);

@@ -12,6 +12,7 @@ typedef struct McdProximity {
     double normal[3];      /* from b to a, length 1 */
     double separation;     /* of the cores along the normal; negative: depth */
     double onA[3], onB[3]; /* witness points on the cores */
+    double error;          /* m, a bound of the separation's; set by the search for it alone */
     MeBool isGuess;        /* only normal and separation are valid; the separation, where >= 0, is a lower bound */
 } McdProximity;
 
@@ -40,6 +41,8 @@ double mcd_separationAlong(const McdShape *a, const McdShape *b, const double n[
 
 /* The signed distance of the cores, by GJK and EPA; false if it is more than limit. */
 MeBool mcd_coreProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p);
+/* Makes the normal and the witness points exact where one of the shapes is smooth; else they stay, and false. */
+MeBool mcd_polishNormal(const McdShape *a, const McdShape *b, McdProximity *p);
 /* The best separating axis among the normals of flat faces (McdKind.flatAxes), as a guess; its separation is
  * -INFINITY if there are no flat faces. */
 void mcd_guessFaces(const McdShape *a, const McdShape *b, McdProximity *p);

@@ -14,24 +14,13 @@
  * must be f. A body above the gap, and above neither face, has the contacts of a face that bridges the gap. (The same
  * rule for triangles with common corners: mcd_mesh_topology.c.) A normal between m and f points to no part of the other
  * piece, so the normals at a fold down are kept. */
+#include "convex/mcd_sampled_i.h"
 #include "convex/mcd_seam_i.h"
 
 /* cos(60 degrees): the largest angle between faces that continue each other. */
 static const double foldCosine = .5;
 
 /* ---- shapes ------------------------------------------------------------------------------------------------------ */
-
-/* Kind of a point: a sphere without a radius. */
-static const McdKind pointKind = {.support = mcd_pointSupport, .face = mcd_pointFace, .rank = MCD_RANK_SPHERE};
-
-double mcd_pointDistance(const McdShape *s, const double point[3]) {
-    McdShape dot = {.kind = &pointKind, .extent = s->extent};
-    double onDot[3], onShape[3], normal[3];
-    mcd_copy(dot.place, point);
-    for (int i = 0; i < 3; i++)
-        dot.axis[i][i] = 1;
-    return mcd_convexDistance(&dot, s, onDot, onShape, normal);
-}
 
 int mcd_shapeFaces(const McdShape *s) {
     return s->hull ? s->hull->faceCount : 6;
@@ -44,7 +33,7 @@ MeBool mcd_shapeFaceNormal(const McdShape *s, int i, double normal[3]) {
         return METRUE;
     }
     mcd_scale(normal, s->axis[i / 2], i % 2 ? -1 : 1);
-    return (s->kind->flatAxes >> i / 2 & 1) != 0;
+    return (s->kind->isSampled ? s->sampled->flatFaces >> i & 1 : s->kind->flatAxes >> i / 2 & 1) != 0;
 }
 
 /* m: the depth of a point below the shape's supporting plane orthogonal to a direction. */

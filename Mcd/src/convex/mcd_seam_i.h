@@ -44,8 +44,6 @@ void *mcd_seamPieceBeyond(const McdSeam *s, double normal[3]);
  * pieces: no other piece is below it. Then `shift`, in the face's plane, takes it above the face. */
 MeBool mcd_seamGapShift(const McdSeam *s, const McdShape *body, const double face[3], double shift[3]);
 
-/* The signed distance of a point from a convex shape. */
-double mcd_pointDistance(const McdShape *s, const double point[3]);
 /* The largest number of flat faces of a shape, and the outward normal of face i; false: there is no such face. */
 int mcd_shapeFaces(const McdShape *s);
 MeBool mcd_shapeFaceNormal(const McdShape *s, int i, double normal[3]);

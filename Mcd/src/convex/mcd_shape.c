@@ -16,9 +16,13 @@ MeBool mcd_shapeIsRigid(const McdShape *s) {
     return areAxesRigid(s->axis);
 }
 
+MeBool mcd_shapeIsKnown(const McdShape *s) {
+    return !s->kind->isSampled && mcd_shapeIsRigid(s);
+}
+
 MeBool mcd_areResolved(const McdShape *a, const McdShape *b) {
     const double surface = MeMAX(a->extent, b->extent), place = MeMAX(mcd_length(a->place), mcd_length(b->place));
-    return mcd_shapeIsRigid(a) && mcd_shapeIsRigid(b) && MeMAX(surface, place) <= 1e4 * mcd_pairSize(a, b);
+    return mcd_shapeIsKnown(a) && mcd_shapeIsKnown(b) && MeMAX(surface, place) <= 1e4 * mcd_pairSize(a, b);
 }
 
 /* Orthonormalizes in double precision a rotation that was rounded to single precision, so that a box's faces are
@@ -68,7 +72,7 @@ void mcd_coreSupport(const McdShape *s, const double d[3], double point[3]) {
 /* For checks: whether the point is within the shape's extent of its place. */
 static MeBool isWithinExtent(const McdShape *s, const double point[3]) {
     const double max = s->extent * (1 + 1e-6) + 4 * DBL_EPSILON * mcd_length(s->place);
-    return !mcd_shapeIsRigid(s) || mcd_distanceSquared(point, s->place) <= max * max;
+    return !mcd_shapeIsKnown(s) || mcd_distanceSquared(point, s->place) <= max * max;
 }
 
 void mcd_support(const McdShape *s, const double direction[3], double point[3]) {

@@ -56,13 +56,16 @@ MeBool mcd_isValidTransform(const MeVector4 *tm);
 
 typedef struct McdKind McdKind; /* mcd_kind_i.h */
 typedef struct McdHull McdHull;
+typedef struct McdSampled McdSampled; /* mcd_sampled_i.h */
 
 /* A convex shape at a place. */
 typedef struct McdShape {
     const McdKind *kind; /* the functions of its type */
     const McdHull *hull;
-    double axis[3][3];   /* rows: the shape's own axes */
-    double place[3];     /* the shape's own origin */
+    const McdSampled *sampled; /* if kind->isSampled */
+    const MeReal *spin;        /* rad/s, of a sampled shape's model; null: none */
+    double axis[3][3];         /* rows: the shape's own axes */
+    double place[3];           /* the shape's own origin */
     double size[3];      /* box: half extents. cylinder, cone: lower radius, upper radius, length (from z = -low) */
     double low;          /* cylinder, cone: depth of the base below the origin; sphyl: half of its segment */
     double rounding;     /* all points within this distance of the core belong to the shape */
@@ -127,7 +130,9 @@ static inline void mcd_shapeToOwnAxes(const McdShape *s, const double direction[
 /* Whether the shape's axes are orthonormal. Programs may set any transform; checks of lengths apply to rigid ones
  * only. */
 MeBool mcd_shapeIsRigid(const McdShape *s);
-/* For checks: whether both shapes are rigid, and double precision resolves the smaller one at the distance of the
+/* For checks: whether the shape is rigid, and no function of the program says where its points are. */
+MeBool mcd_shapeIsKnown(const McdShape *s);
+/* For checks: whether both shapes are known, and double precision resolves the smaller one at the distance of the
  * larger one's surface and of their places. Otherwise rounding exceeds what is checked: a hull of 427 m is found .8
  * m farther from a triangle of 1.1e7 m than it is along the normal. */
 MeBool mcd_areResolved(const McdShape *a, const McdShape *b);
@@ -173,5 +178,8 @@ double mcd_planeDistance(const McdShape *a, const MeVector4 *tm, const double or
                          double normal[3]);
 /* The signed distance of two convex shapes (negative: depth), the nearest points on both surfaces, and the normal. */
 double mcd_convexDistance(const McdShape *a, const McdShape *b, double onA[3], double onB[3], double normal[3]);
+/* The signed distance of a point from a convex shape, and the normal to the point. */
+double mcd_pointGap(const McdShape *s, const double point[3], double normal[3]);
+double mcd_pointDistance(const McdShape *s, const double point[3]);
 
 #endif

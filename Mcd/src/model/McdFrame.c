@@ -57,6 +57,8 @@ static void freeBlocks(McdPoolBlock *block) {
 }
 
 void mcd_frameFree(McdFramework *frame) {
+    for (int i = 0; frame->types && i < frame->typeCount; i++)
+        MeMemoryGive(frame->types[i].ownKind);
     MeMemoryGive(frame->types);
     MeMemoryGive(frame->grid);
     freeBlocks(frame->modelBlocks);
@@ -219,9 +221,16 @@ void MEAPI McdFrameworkRegisterGeometryType(McdFrameworkID frame, McdGeometryTyp
     McdTypeRecord *type = typeRecord(frame, typeId, "McdFrameworkRegisterGeometryType");
     if (!type || type->isRegistered)
         return;
-    const McdTypeRecord made = {METRUE,           type->kind,        typeName ? typeName : "(no name)",
-                                destroy,          getAABB,           getBSphere,
-                                maximumPoint,     getMassProperties, debugDraw,
+    const McdTypeRecord made = {METRUE,
+                                type->kind,
+                                type->ownKind,
+                                typeName ? typeName : "(no name)",
+                                destroy,
+                                getAABB,
+                                getBSphere,
+                                maximumPoint,
+                                getMassProperties,
+                                debugDraw,
                                 type->lineSegment};
     *type = made;
 }
@@ -233,6 +242,50 @@ void mcd_kindRegister(McdFramework *frame, const McdKind *kind, const char *func
                                      kind->sphere, kind->farthest, kind->mass, kind->draw);
     MEASSERT(!frame->types[kind->type].kind || frame->types[kind->type].kind == kind); /* two types with one number */
     frame->types[kind->type].kind = kind;
+}
+
+/* Enlarges both tables by one type. */
+static MeBool addTypeToTables(McdFramework *frame, const char *function) {
+    const size_t before = (size_t)frame->typeCount, now = before + 1;
+    McdTypeRecord *types = MeMemoryTakeZeroed(now, sizeof *types, function, "geometry types");
+    McdGridCell *grid = MeMemoryTakeZeroed(now * now, sizeof *grid, function, "interactions");
+    if (!types || !grid) {
+        MeMemoryGive(types);
+        MeMemoryGive(grid);
+        return MEFALSE;
+    }
+    memcpy(types, frame->types, before * sizeof *types);
+    for (size_t row = 0; row < before; row++)
+        memcpy(grid + row * now, frame->grid + row * before, before * sizeof *grid);
+    MeMemoryGive(frame->types);
+    MeMemoryGive(frame->grid);
+    frame->types = types;
+    frame->grid = grid;
+    frame->typeCount++;
+    return METRUE;
+}
+
+void *mcd_frameAddType(McdFramework *frame, McdKind *kind, const char *name, const char *function) {
+    enum { MAX_TYPES = 2000 };
+    const int number = frame->typeCount;
+    if (number >= MAX_TYPES)
+        MeWarning(1, "%s: there are %d types already", function, number);
+    if (number >= MAX_TYPES || !addTypeToTables(frame, function)) {
+        MeMemoryGive(kind);
+        return 0;
+    }
+    kind->type = number;
+    frame->types[number] = (McdTypeRecord){.isRegistered = METRUE,
+                                           .kind = kind,
+                                           .ownKind = kind,
+                                           .name = name,
+                                           .destroy = kind->destroy,
+                                           .getAABB = kind->box,
+                                           .getBSphere = kind->sphere,
+                                           .maximumPoint = kind->farthest,
+                                           .getMassProperties = kind->mass,
+                                           .debugDraw = kind->draw};
+    return kind;
 }
 
 MeI16 MEAPI McdFrameworkGetRegisteredTypeCount(McdFrameworkID frame) {

@@ -11,6 +11,7 @@
 typedef struct McdTypeRecord {
     MeBool isRegistered;
     const McdKind *kind; /* null for a program's own type */
+    void *ownKind;       /* the kind of a program's convex type, which the framework frees; else null */
     const char *name;
     McdGeometryDestroyFnPtr destroy;
     McdGeometryGetAABBFnPtr getAABB;
@@ -137,6 +138,9 @@ static inline MeBool mcd_hasMaterials(const McdGeometry *g) {
 
 /* Registers a built-in type with a framework. */
 void mcd_kindRegister(McdFramework *frame, const McdKind *kind, const char *function);
+/* Adds a type with the next number, which it writes to the kind. The framework owns the kind, a block of MeMemoryTake,
+ * and returns it; null, after a message: it is freed. */
+void *mcd_frameAddType(McdFramework *frame, McdKind *kind, const char *name, const char *function);
 /* Registers the library's functions for two types. False, with a warning, if one is not a type. */
 MeBool mcd_interactionRegister(McdFramework *frame, int type1, int type2, const McdInteractions *library);
 

@@ -31,37 +31,47 @@ MeBool mcd_shapeSizes(McdGeometryID g, McdShape *s) {
     mcd_set(s->size, 0, 0, 0);
     s->low = s->rounding = s->extent = 0;
     s->hull = 0;
+    s->sampled = 0;
+    s->spin = 0;
     s->kind->setShape(g, s);
     MEASSERT(s->rounding >= 0 && !(s->extent < s->rounding));
     return METRUE;
 }
 
 /* Sets everything but the axes, and corners, which only triangles have. False: not a convex shape, or not finite. */
-static MeBool setShapeExceptAxes(McdGeometryID g, const MeReal place[3], const double origin[3], McdShape *s) {
+static MeBool setShapeExceptAxes(McdGeometryID g, const McdModelRecord *m, const MeReal place[3],
+                                 const double origin[3], McdShape *s) {
     if (!mcd_shapeSizes(g, s))
         return MEFALSE;
+    if (m && s->kind->isSampled)
+        s->spin = m->angularVelocity;
     for (int i = 0; i < 3; i++)
         s->place[i] = (double)place[i] - origin[i];
     return isfinite(s->place[0] + s->place[1] + s->place[2]);
 }
 
-MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape) {
-    if (!mcd_isValidTransform(tm) || !setShapeExceptAxes(g, tm[3], origin, shape))
+static MeBool shapeOfModelAt(McdGeometryID g, const McdModelRecord *m, const MeMatrix4 tm, const double origin[3],
+                             McdShape *shape) {
+    if (!mcd_isValidTransform(tm) || !setShapeExceptAxes(g, m, tm[3], origin, shape))
         return MEFALSE;
     mcd_shapeAxes(tm, shape->axis);
     return METRUE;
+}
+
+MeBool mcd_shapeAt(McdGeometryID g, const MeMatrix4 tm, const double origin[3], McdShape *shape) {
+    return shapeOfModelAt(g, 0, tm, origin, shape);
 }
 
 MeBool mcd_shapeOf(McdGeometryInstanceID ins, const double origin[3], McdShape *shape) {
     const McdModelRecord *m = mcd_record(ins->model);
     if (ins->parent && !ins->firstChild && ins->isPlaced) {
         memcpy(shape->axis, ins->placedAxis, sizeof shape->axis);
-        return setShapeExceptAxes(ins->geometry, ins->placed[3], origin, shape);
+        return setShapeExceptAxes(ins->geometry, m, ins->placed[3], origin, shape);
     }
     if (!m || ins != &m->instance || !mcd_isPlacedAsCompared(m))
-        return mcd_shapeAt(ins->geometry, (const MeReal(*)[4])mcd_instanceTM(ins), origin, shape);
+        return shapeOfModelAt(ins->geometry, m, (const MeReal(*)[4])mcd_instanceTM(ins), origin, shape);
     memcpy(shape->axis, m->shape.axis, sizeof shape->axis);
-    return setShapeExceptAxes(ins->geometry, ins->tm[3], origin, shape);
+    return setShapeExceptAxes(ins->geometry, m, ins->tm[3], origin, shape);
 }
 
 MeBool mcd_shapesOf(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, double origin[3], McdShape *a,
@@ -73,7 +83,7 @@ MeBool mcd_shapesOf(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, doub
 /* For checks: whether the shape is the one that the model's geometry and transform make now. */
 static MeBool isShapeCurrent(McdModelRecord *m, const double origin[3], const McdShape *shape) {
     McdShape now;
-    return mcd_shapeAt(m->instance.geometry, mcd_const(m->instance.tm), origin, &now) &&
+    return shapeOfModelAt(m->instance.geometry, m, mcd_const(m->instance.tm), origin, &now) &&
            memcmp(&now, shape, offsetof(McdShape, corner)) == 0;
 }
 
@@ -82,6 +92,8 @@ MeBool mcd_shapeInRound(McdModelRecord *m, const double origin[3], McdShape *sha
         return MEFALSE;
     memcpy(shape, &m->shape, offsetof(McdShape, corner));
     mcd_sub(shape->place, shape->place, origin);
+    if (shape->kind->isSampled)
+        shape->spin = m->angularVelocity;
     MEVALIDATE(isShapeCurrent(m, origin, shape));
     return METRUE;
 }

@@ -198,7 +198,7 @@ static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
         return MEFALSE;
     boundAlongShape(q);
     boundByBall(q);
-    MEVALIDATE(!areAxesOrthonormal(q) || !mcd_shapeIsRigid(&q->shape) || isShapeInBall(q));
+    MEVALIDATE(!areAxesOrthonormal(q) || !mcd_shapeIsKnown(&q->shape) || isShapeInBall(q));
     return METRUE;
 }
 

@@ -73,7 +73,7 @@ static MeBool intersectTriangle(const McdMeshQuery *q, const McdMeshTriangle *t,
 static MeBool areHeightsGood(const McdMeshQuery *q, const McdMeshTriangle *t, double low, double high) {
     const double place = mcd_heightOver(q->shape.place, t->corner[0], t->normal),
                  slack = 1e-6 * q->shape.extent + 1e-9 * fabs(place);
-    return !mcd_shapeIsRigid(&q->shape) || !mcd_isUnit(t->normal) ||
+    return !mcd_shapeIsKnown(&q->shape) || !mcd_isUnit(t->normal) ||
            (low <= high + slack && high <= place + q->shape.extent + slack && low >= place - q->shape.extent - slack);
 }
 
