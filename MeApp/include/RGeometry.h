@@ -6,8 +6,9 @@
  *  the geometry. Vertices are in the geometry's own frame, independent of the direction of gravity.
  *
  *  A plane is drawn as a square of side 40 about its origin. A triangle list is drawn as its box in wireframe, since
- *  its triangles are known only to the program's callback. A geometry without a shape (null type, or a type of the
- *  program) has no graphic: null, silently.
+ *  its triangles are known only to the program's callback. Convex shapes of the program (McdConvexType.h) are drawn by
+ *  1026 support points. A geometry without a shape (null type, or another type of the program) has no graphic: null,
+ *  silently.
  */
 #ifndef RGEOMETRY_H
 #define RGEOMETRY_H

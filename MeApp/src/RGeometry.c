@@ -160,6 +160,49 @@ static RGraphic *listGraphic(RRender *rc, McdTriangleListID list, const float co
     return graphic;
 }
 
+/* A vertex of a program's convex shape: its support point in the direction (x, y, z), which is the normal there. */
+static void setSupportVertex(RObjectVertex *v, McdGeometryID g, int x, int y, int z) {
+    MeVector3 direction = {(MeReal)x, (MeReal)y, (MeReal)z}, point;
+    MeMatrix4 own;
+    MeMatrix4TMMakeIdentity(own);
+    MeVector3Normalize(direction);
+    McdGeometryMaximumPoint(g, (const MeVector4 *)own, direction, point);
+    RSetVertex(v, point, direction, 0, 0);
+}
+
+/* A triangle of support points in directions given as steps along the axes of an octant. */
+static void setSupportTriangle(RObjectVertex v[3], McdGeometryID g, const int sign[3], int (*at)[3]) {
+    const int isMirrored = sign[0] * sign[1] * sign[2] < 0;
+    for (int k = 0; k < 3; k++) {
+        const int *from = at[isMirrored ? 2 - k : k];
+        setSupportVertex(&v[k], g, sign[0] * from[0], sign[1] * from[1], sign[2] * from[2]);
+    }
+}
+
+/* A program's convex shape (McdConvexType.h): the edges of an octahedron of directions are divided in STEPS pieces. */
+static RGraphic *supportGraphic(RRender *rc, McdGeometryID g, const float color[4], MeMatrix4Ptr tm) {
+    enum { STEPS = 16 };
+    RGraphic *graphic = emptyGraphic(rc, 8 * STEPS * STEPS, color, tm);
+    RObjectVertex *next = graphic ? graphic->m_pVertices : 0;
+    for (int octant = 0; graphic && octant < 8; octant++) {
+        const int sign[3] = {octant & 1 ? -1 : 1, octant & 2 ? -1 : 1, octant & 4 ? -1 : 1};
+        for (int i = 0; i < STEPS; i++)
+            for (int j = 0; j < STEPS - i; j++) {
+                const int k = STEPS - i - j;
+                int low[3][3] = {{i, j, k}, {i + 1, j, k - 1}, {i, j + 1, k - 1}};
+                int high[3][3] = {{i + 1, j, k - 1}, {i + 1, j + 1, k - 2}, {i, j + 1, k - 1}};
+                setSupportTriangle(next, g, sign, low);
+                next += 3;
+                if (k < 2)
+                    continue;
+                setSupportTriangle(next, g, sign, high);
+                next += 3;
+            }
+    }
+    MEASSERT(!graphic || next == graphic->m_pVertices + graphic->m_pObject->m_nNumVertices);
+    return graphic;
+}
+
 static RGraphic *geometryGraphic(RRender *rc, McdGeometryID g, const float color[4], MeMatrix4Ptr tm);
 
 /* The parts, made one by one and then joined. */
@@ -206,7 +249,9 @@ static RGraphic *geometryGraphic(RRender *rc, McdGeometryID g, const float color
     case kMcdGeometryTypeAggregate:
         return aggregateGraphic(rc, g, color, tm);
     default:
-        return 0;
+        return McdFrameworkTypeIsConvex(McdGeometryGetFramework(g), McdGeometryGetType(g))
+                   ? supportGraphic(rc, g, color, tm)
+                   : 0;
     }
 }
 
