@@ -29,6 +29,7 @@
     X(OWN_DRAW, "McdFrameworkRegisterGeometryType")                                                                    \
     X(OWN_DESTROY, "McdFrameworkRegisterGeometryType")                                                                 \
     X(OWN_SEGMENT, "McdFrameworkRegisterGeometryType")                                                                 \
+    X(OWN_SUPPORT, "McdFrameworkRegisterConvexType")                                                                   \
     X(TRIANGLES, "McdTriangleListSetGenerator")                                                                        \
     X(TRIANGLES_OF_QUERY, "McdTriangleListSetGenerator")                                                               \
     X(OVERLAP_BOX, "McdSpaceOverlapBox")                                                                               \
@@ -210,6 +211,12 @@ static inline int MEAPI cb_ownSegment(const McdModelID m, MeReal *const from, Me
     (void)m, (void)from, (void)to, (void)r;
     cb_call(CB_OWN_SEGMENT);
     return 0;
+}
+static inline void MEAPI cb_ownSupport(const void *data, const double direction[3], double point[3]) {
+    (void)data;
+    cb_call(CB_OWN_SUPPORT);
+    for (int i = 0; i < 3; i++)
+        point[i] = direction[i] * .3;
 }
 static inline int MEAPI cb_triangles(McdModelPair *p, McdUserTriangle *t, MeVector3 at, MeReal radius, int max) {
     static const int of[2][3] = {{0, 1, 2}, {0, 2, 3}};
@@ -424,7 +431,15 @@ static inline void cb_setMst(void) {
         MstBridgeSetTouchCB(cb.b, 0, 0, cb_touch);
 }
 
+static inline void cb_addOwnConvex(void) {
+    static const McdConvexFunctions functions = {.support = cb_ownSupport};
+    const int type = McdFrameworkRegisterConvexType(cb.f, "convex", 0, &functions);
+    MdtBodyEnable(McdModelGetBody(cb_add(McdConvexCreate(cb.f, type, 0), -5, 5, .29)));
+}
+
 static inline void cb_setMcd(void) {
+    if (cb.acting == CB_OWN_SUPPORT)
+        cb_addOwnConvex();
     if (cb.acting == CB_MODEL_UPDATE)
         for (int i = 0; i < STACK; i++)
             McdModelSetUpdateCallback(cb.stack[i], cb_update);
