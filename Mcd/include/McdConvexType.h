@@ -53,8 +53,8 @@ typedef MeBool(MEAPI *McdConvexRayFn)(const void *data, const double from[3], co
 typedef struct McdConvexFunctions {
     McdConvexSupportFn support;
     McdConvexRoundingFn rounding; /**< Null: 0. */
-    /** Null: by some 20 000 support points, to 1e-5 for smooth shapes; exact for polyhedra whose faces are at more than
-     *  some 3 degrees to each other. Flat shapes have none. */
+    /** Null: by some 20 000 support points, to 1e-5 for round shapes, 1e-4 for flat or long ones, 1e-3 with rims; exact
+     *  for polyhedra whose faces are at more than some 3 degrees to each other. Flat shapes have none. */
     McdConvexMassFn mass;
     McdConvexRayFn ray; /**< Null: by distances, to 1e-9 of the size. */
 } McdConvexFunctions;
