@@ -134,6 +134,41 @@ MEPUBLIC MeBool MEAPI MdtBodyIsKinematic(const MdtBodyID b);
 MEPUBLIC void MEAPI MdtBodyMoveTo(const MdtBodyID b, const MeVector3 position, const MeVector4 quaternion);
 /** @} */
 
+/** @name Locked axes. Beyond Karma.
+ *  A body does not move along a locked axis, and does not turn about one: as if its mass, or its moment of inertia,
+ *  were infinite there. The axes are those of the world. Locks hold exactly and need no joint: a game in a plane locks
+ *  all bodies to it, a character that must not tip over locks its rotations. Contacts and joints act along the free
+ *  axes; those whose directions are within a milliradian of locked ones have no force. What the locks themselves carry
+ *  is not reported.
+ *  @{ */
+/** Values of MdtBodySetLockedAxes, which may be added up. */
+typedef enum MdtLockedAxes {
+    MdtLockNone = 0,
+    MdtLockTranslationX = 1,
+    MdtLockTranslationY = 2,
+    MdtLockTranslationZ = 4,
+    MdtLockRotationX = 8,
+    MdtLockRotationY = 16,
+    MdtLockRotationZ = 32,
+    MdtLockTranslation = 1 + 2 + 4, /**< The centre of mass stays where it is. */
+    MdtLockRotation = 8 + 16 + 32,  /**< The body keeps its attitude. */
+    MdtLockToPlaneXY = 4 + 8 + 16,  /**< It moves in a plane, and turns about its normal. */
+    MdtLockToPlaneYZ = 1 + 16 + 32,
+    MdtLockToPlaneZX = 2 + 8 + 32
+} MdtLockedAxes;
+/**
+ * Locks these axes (a sum of MdtLockedAxes), and frees all others. Default MdtLockNone.
+ *
+ * Velocities along locked axes become 0, also those that are set afterwards; forces and impulses have no effect along
+ * them. MdtBodySetPosition, ...SetTransform and other functions that place the body do so as before. While the body is
+ * kinematic, its locks have no effect. It wakes a sleeping body. Numbers that are no such sum get a warning and change
+ * nothing.
+ */
+MEPUBLIC void MEAPI MdtBodySetLockedAxes(const MdtBodyID b, const int axes);
+/** The locked axes, a sum of MdtLockedAxes. */
+MEPUBLIC int MEAPI MdtBodyGetLockedAxes(const MdtBodyID b);
+/** @} */
+
 /** @name Mass and inertia
  *  Setting them keeps the velocities.
  *  @{ */

@@ -23,10 +23,12 @@ enum { MAX_RIGID = 6, MAX_MOVED = 3 };
 
 /* J_a M⁻¹ J_bᵀ */
 static double product(const MdtBclContext *x, const MdtKeaRow *a, const MdtKeaRow *b) {
-    double sum = 0, turned[3];
+    double sum = 0, turned[3], moved[3];
     for (int k = 0; k < 2; k++) {
         keaApply(turned, (const double(*)[3])x->invMass[k]->inertia, a->J[k].ang);
-        sum += x->invMass[k]->mass * keaDot(a->J[k].lin, b->J[k].lin) + keaDot(turned, b->J[k].ang);
+        keaCopy(moved, a->J[k].lin);
+        keaDropAxes(x->kea[k] ? x->kea[k]->locked : 0, moved);
+        sum += x->invMass[k]->mass * keaDot(moved, b->J[k].lin) + keaDot(turned, b->J[k].ang);
     }
     return sum;
 }

@@ -79,6 +79,8 @@ typedef struct MdtKeaVelocity {
     double ang[3]; /**< rad/s */
 } MdtKeaVelocity;
 
+enum { MdtKeaLOCKEDROTATIONS = 8 + 16 + 32 }; /**< Of MdtKeaBody.locked. */
+
 /** A rigid body. Frames: world, but for `principal` and `moments`. */
 typedef struct MdtKeaBody {
     /* state, advanced by Kea */
@@ -92,6 +94,9 @@ typedef struct MdtKeaBody {
     double principal[4]; /**< w x y z: principal axes to body frame */
     double damping[2];   /**< 1/s: dv/dt = -damping[0] v, dL/dt = -damping[1] L */
     int flags;           /**< MdtKeaBodyFlag */
+    int locked; /**< bits 0 to 2: no translation along the world's x, y, z; bits 3 to 5: no rotation about them.
+                              Velocities, momenta and loads along these axes are 0. With a locked rotation `moments` and
+                              `principal` are those of the inertia between free axes, in the world's frame */
     /* load of this step, set by the owner */
     double force[3];        /**< N, gravity included */
     double torque[3];       /**< N m, about the centre of mass */

@@ -39,6 +39,12 @@ static inline void keaZero(double r[3]) {
     r[0] = r[1] = r[2] = 0;
 }
 
+/** Sets to 0 the components of v along some axes: bits 0 to 2 for x, y and z. */
+static inline void keaDropAxes(int axes, double v[3]) {
+    for (int k = 0; axes && k < 3; k++)
+        v[k] = axes >> k & 1 ? 0 : v[k];
+}
+
 /** r = a x b; r must be another array. */
 static inline void keaCross(double r[3], const double a[3], const double b[3]) {
     r[0] = a[1] * b[2] - a[2] * b[1];

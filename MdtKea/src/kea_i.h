@@ -32,6 +32,7 @@
  *     kea_impact.c            simultaneous impacts
  *     kea_project.c           position projection: removes overlaps
  *     kea_kick.c              impulses at the start of a step, transmitted by joints
+ *     kea_lock.c              axes along which bodies do not move
  *     kea_rotation.c          inertia, free rotation
  *     kea_free.c              end poses; motion of bodies without rows
  *
@@ -68,6 +69,7 @@ typedef struct KeaBody {
     double theta;           /* θ of u: 1/2, midpoint rule; 1, backward Euler. Division by either is exact */
     double moveTheta;       /* θ of an untied body's displacement: 1/2; 1 if 1/2 would press a contact deeper */
     double size;            /* m, the largest radius of gyration */
+    int locked;             /* MdtKeaBody.locked */
     MeBool isSpatial;       /* its angular velocity is integrated in world axes, without gyroscopic term */
     double axes[3][3];      /* principal axes at the start, as columns */
     double spin[3];         /* rad/s at the start, in principal axes; in world axes if isSpatial */
@@ -141,6 +143,7 @@ typedef struct MdtKeaWork {
     KeaProblem problem;
     KeaDual dual;
     KeaFlight flight;
+    MeBool hasLocks;          /* some body has locked axes */
     MeBool hasLoops;          /* joints form a loop */
     MeBool isInconsistent;    /* joints contradict each other: some keep a residual above the tolerance */
     MeBool hasJoints;         /* there are rows other than those of contacts (kea_beginRows) */
@@ -153,6 +156,30 @@ typedef struct MdtKeaWork {
 void kea_beginBody(MdtKeaSystem *s, int i);
 /* MdtKeaIntegrate for body i: sets its state and acceleration from its end state. */
 void kea_commitBody(MdtKeaSystem *s, int i);
+
+/* ---- kea_lock.c ---- */
+
+/* Sets to 0 the components of a velocity, a momentum or a Jacobian along locked axes. */
+static inline void kea_dropLocked(int locked, double x[6]) {
+    if (!locked)
+        return;
+    keaDropAxes(locked, x);
+    keaDropAxes(locked >> 3, x + 3);
+}
+/* Sets to 0 the rows and columns of locked rotations. */
+void kea_dropLockedRotations(int locked, double M[3][3]);
+/* Drops the part of a row's Jacobian along locked axes. If little else is left, the row is 0 (kea_minMobility). */
+void kea_dropLockedOfRow(const MdtKeaSystem *s, const int body[2], double (*J)[6]);
+static inline void kea_lockRow(const MdtKeaSystem *s, const int body[2], double (*J)[6]) {
+    if (s->work->hasLocks)
+        kea_dropLockedOfRow(s, body, J);
+}
+/* Whether locks leave a contact nothing to act on: its normal is along locked axes. */
+MeBool kea_isContactLocked(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]);
+/* Whether the inertia is constant in world axes during a step, and free rotation has no gyroscopic term. */
+static inline MeBool kea_isSteady(const MdtKeaBody *body) {
+    return !(body->flags & MdtKeaBodyFlagAddCoriolisForce) || (body->locked & MdtKeaLOCKEDROTATIONS) != 0;
+}
 
 /* ---- kea_guess.c ---- */
 
@@ -260,7 +287,7 @@ MeBool kea_moveContacts(MdtKeaSystem *s, MeBool isFirst);
 MeBool kea_isMovedByU(const MdtKeaSystem *s, int body);
 /* Sets isTied of all bodies from the rows of joints. */
 void kea_markTied(MdtKeaSystem *s);
-void kea_copyJacobian(KeaProblemRow *p, const MdtKeaJBlockPair J);
+void kea_copyJacobian(const MdtKeaSystem *s, KeaProblemRow *p, const MdtKeaJBlockPair J);
 /* Sets movingRate of contacts whose lever arms change in the step: the difference between the rate that the row
  * constrains and J v, with the J along which its impulse acts; after kea_moveBodies. */
 void kea_setMovingRates(MdtKeaSystem *s);

@@ -103,6 +103,13 @@ static void MEAPI beginBodies(void *system, int first, int end, int worker) {
     }
 }
 
+static MeBool hasLocks(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++)
+        if (s->work->body[i].locked)
+            return METRUE;
+    return MEFALSE;
+}
+
 void MEAPI MdtKeaInit(MdtKeaSystem *s, void *scratch) {
     KeaArena arena = {scratch, 0};
     MEASSERTALIGNED(scratch, 16);
@@ -112,6 +119,7 @@ void MEAPI MdtKeaInit(MdtKeaSystem *s, void *scratch) {
     layOutSystem(s, &arena);
     s->work->numContacts = 0;
     MeTeamRunRanges(s->team, s->numBodies, KEA_BODY_CHUNK, beginBodies, s);
+    s->work->hasLocks = hasLocks(s);
     if (s->parameters.elapsed == 0)
         kea_guessContactForces(s);
 }

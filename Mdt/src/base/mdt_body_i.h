@@ -139,6 +139,7 @@ struct MdtBody {
     double mass; /* kg */
     double gravityFactor;
     double maxSpeed[2];   /* m/s, rad/s; MEINFINITY: none */
+    int lockedAxes;       /* as set; kea.locked: those that act */
     double inertia[3][3]; /* kg m², as set */
     MeVector3 fastSpinAxis;
     void *userData, *model;

@@ -113,6 +113,21 @@ void mdt_bodyRestart(MdtBodyID b) {
     memset(&b->kea.lastStep, 0, sizeof b->kea.lastStep);
 }
 
+/* Sets the inertia that Kea is to use. With locked rotations it depends on the attitude q. */
+static void setKeaInertia(MdtBodyID b, const double q[4]) {
+    double inertia[3][3] = {{0}};
+    const MeBool full = (b->kea.flags & MdtKeaBodyFlagIsNonSpherical) != 0;
+    const double mean = (b->inertia[0][0] + b->inertia[1][1] + b->inertia[2][2]) / 3;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++)
+            inertia[i][j] = full ? b->inertia[i][j] : i == j ? mean : 0;
+    if (b->kea.locked & MdtKeaLOCKEDROTATIONS)
+        mdt_lockInertia(b->kea.locked >> 3, q, inertia);
+    const MeBool isGood = MdtKeaBodySetInertia(&b->kea, (const double(*)[3])inertia);
+    MEASSERT(isGood);
+    (void)isGood;
+}
+
 /* Places the frame. The velocities stay, so the angular momentum changes with the attitude. */
 static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     const MdtPartitionParams *sleepParams = &b->world->sleepParams;
@@ -126,6 +141,8 @@ static void setFrame(MdtBodyID b, const double p[3], const double q[4]) {
     mdt_bodyCentrePose(b, p, q, &after);
     keaCopy(b->kea.position, after.position);
     memcpy(b->kea.quaternion, after.quaternion, sizeof b->kea.quaternion);
+    if (b->kea.locked)
+        setKeaInertia(b, b->kea.quaternion);
     MdtKeaBodySetAngularVelocity(&b->kea, w);
     mdt_bodyMotionSince(b, &before, moved, turned);
     if (keaDot(moved, moved) > h2 * (double)sleepParams->vel_thresh ||
@@ -237,6 +254,8 @@ void mdt_bodyAcceptVelocities(MdtBodyID b) {
         double v[3], w[3];
         mdt_fromReal(v, b->velocity.lin);
         mdt_fromReal(w, b->velocity.ang);
+        keaDropAxes(b->kea.locked, v);
+        keaDropAxes(b->kea.locked >> 3, w);
         restartForceIfFast(b, linear ? v : b->kea.velocity, angular ? w : b->spin);
         if (linear)
             keaCopy(b->kea.velocity, v);
@@ -254,27 +273,41 @@ void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v) {
 
 /* ---- mass and inertia ---- */
 
-static void setKeaInertia(MdtBodyID b) {
-    double inertia[3][3] = {{0}};
-    const MeBool full = (b->kea.flags & MdtKeaBodyFlagIsNonSpherical) != 0;
-    const double mean = (b->inertia[0][0] + b->inertia[1][1] + b->inertia[2][2]) / 3;
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++)
-            inertia[i][j] = full ? b->inertia[i][j] : i == j ? mean : 0;
-    const MeBool isGood = MdtKeaBodySetInertia(&b->kea, (const double(*)[3])inertia);
-    MEASSERT(isGood);
-    (void)isGood;
-}
-
-/* Changes the inertia and keeps the angular velocity. */
-static void changeInertia(MdtBodyID b) {
+/* Changes the inertia and keeps the angular velocity, but for what `locked` axes leave of it. */
+static void changeInertia(MdtBodyID b, int locked) {
     double w[3];
     mdt_bodyDisturb(b);
     mdt_bodyAcceptVelocities(b);
     MdtKeaBodyGetAngularVelocity(&b->kea, w);
-    setKeaInertia(b);
+    b->kea.locked = locked;
+    setKeaInertia(b, b->kea.quaternion);
+    keaDropAxes(locked, b->kea.velocity);
+    keaDropAxes(locked >> 3, w);
     MdtKeaBodySetAngularVelocity(&b->kea, w);
     mdt_bodyShow(b);
+}
+
+/* Whether the inertia between free rotations changes with the attitude that they lead to: about one axis it does not.
+ * */
+static MeBool turnsInertia(const MdtBody *b) {
+    const int rotations = b->kea.locked >> 3;
+    return (rotations == 1 || rotations == 2 || rotations == 4) && (b->kea.flags & MdtKeaBodyFlagIsNonSpherical);
+}
+
+void mdt_bodyApplyLocks(MdtBodyID b) {
+    const int locked = b->mover ? 0 : b->lockedAxes;
+    if (locked != b->kea.locked)
+        changeInertia(b, locked);
+}
+
+void mdt_bodyTurnInertia(MdtBodyID b, double time) {
+    double turn[4], q[4], w[3];
+    if (!turnsInertia(b))
+        return;
+    keaScale(w, time, b->spin);
+    keaQuaternionExp(turn, w);
+    keaQuaternionProduct(q, turn, b->kea.quaternion);
+    setKeaInertia(b, q);
 }
 
 static void setKeaFlag(MdtBodyID b, int flag, MeBool on) {
@@ -301,8 +334,9 @@ static void setDefaults(MdtBodyID b) {
     memset(b->inertia, 0, sizeof b->inertia);
     for (int i = 0; i < 3; i++)
         b->inertia[i][i] = MDTBODY_DEFAULT_INERTIA * m * l * l;
-    setKeaInertia(b);
+    setKeaInertia(b, b->kea.quaternion);
     b->gravityFactor = 1;
+    b->lockedAxes = MdtLockNone;
     b->maxSpeed[0] = b->maxSpeed[1] = MEINFINITY;
     keaZero(b->push);
     b->theta = 0.5;
@@ -630,9 +664,12 @@ void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints) {
         mdt_forgottenScale(b);
     memcpy(b->kea.kick, mdt_forcesOf(b)->impulse, sizeof b->kea.kick);
     mdt_forceBegin(b);
+    keaDropAxes(b->kea.locked, b->kea.kick[0]);
+    keaDropAxes(b->kea.locked >> 3, b->kea.kick[1]);
     if (!hasJoints)
         addKick(b);
     mdt_forceApply(b, frame);
+    mdt_bodyTurnInertia(b, 0.5 * frame);
     MEASSERT(isfinite(b->kea.force[0] + b->kea.force[1] + b->kea.force[2]));
     MdtBodyResetImpulses(b);
 }
@@ -850,7 +887,8 @@ void MEAPI MdtBodySetLinearVelocity(const MdtBodyID b, const MeReal dx, const Me
     MDT_CHANGE_BODY(b);
     if (!mdt_isFinite3(__func__, "the velocity", dx, dy, dz))
         return;
-    const double v[3] = {dx, dy, dz};
+    double v[3] = {dx, dy, dz};
+    keaDropAxes(b->kea.locked, v);
     mdt_bodyAcceptVelocities(b);
     restartForceIfFast(b, v, b->spin);
     keaCopy(b->kea.velocity, v);
@@ -872,7 +910,8 @@ void MEAPI MdtBodySetAngularVelocity(const MdtBodyID b, const MeReal wx, const M
     MDT_CHANGE_BODY(b);
     if (!mdt_isFinite3(__func__, "the angular velocity", wx, wy, wz))
         return;
-    const double w[3] = {wx, wy, wz};
+    double w[3] = {wx, wy, wz};
+    keaDropAxes(b->kea.locked >> 3, w);
     mdt_bodyAcceptVelocities(b);
     restartForceIfFast(b, b->kea.velocity, w);
     MdtKeaBodySetAngularVelocity(&b->kea, w);
@@ -953,7 +992,7 @@ void MEAPI MdtBodySetInertiaTensor(const MdtBodyID b, const MeMatrix3 i) {
         return;
     }
     memcpy(b->inertia, tensor, sizeof tensor);
-    changeInertia(b);
+    changeInertia(b, b->kea.locked);
 }
 
 void MEAPI MdtBodyGetInertiaTensor(const MdtBodyID b, MeMatrix3 i) {
@@ -971,19 +1010,19 @@ void MEAPI MdtBodySetSphericalInertiaTensor(const MdtBodyID b, const MeReal i) {
     memset(b->inertia, 0, sizeof b->inertia);
     for (int k = 0; k < 3; k++)
         b->inertia[k][k] = (double)i;
-    changeInertia(b);
+    changeInertia(b, b->kea.locked);
 }
 
 void MEAPI MdtBodyEnableNonSphericalInertia(const MdtBodyID b) {
     MDT_CHANGE_BODY(b);
     setKeaFlag(b, MdtKeaBodyFlagIsNonSpherical, METRUE);
-    changeInertia(b);
+    changeInertia(b, b->kea.locked);
 }
 
 void MEAPI MdtBodyDisableNonSphericalInertia(const MdtBodyID b) {
     MDT_CHANGE_BODY(b);
     setKeaFlag(b, MdtKeaBodyFlagIsNonSpherical, MEFALSE);
-    changeInertia(b);
+    changeInertia(b, b->kea.locked);
 }
 
 BODY_GETTER(MeBool, MdtBodyNonSphericalInertiaIsEnabled, 0, (b->kea.flags & MdtKeaBodyFlagIsNonSpherical) != 0)
@@ -1005,7 +1044,9 @@ void MEAPI MdtBodyGetFreeAcceleration(const MdtBodyID b, MeVector3 a) {
     const MeBool isAwake = (b->record.flags & MDT_ENABLED) != 0;
     for (int i = 0; i < 3; i++) {
         const double force = f->load[0][i] + (b->lag > 0 ? f->lastLoad[0][i] : 0);
-        a[i] = isAwake ? mdt_real(b->gravityFactor * (double)b->world->params.gravity[i] + force * b->kea.invMass) : 0;
+        a[i] = isAwake && !(b->kea.locked >> i & 1)
+                   ? mdt_real(b->gravityFactor * (double)b->world->params.gravity[i] + force * b->kea.invMass)
+                   : 0;
     }
 }
 
@@ -1120,6 +1161,21 @@ void MEAPI MdtBodySetAngularVelocityDamping(const MdtBodyID b, const MeReal d) {
 }
 
 BODY_GETTER(MeReal, MdtBodyGetAngularVelocityDamping, 0, (MeReal)b->kea.damping[1])
+
+/* ---- locked axes ---- */
+
+void MEAPI MdtBodySetLockedAxes(const MdtBodyID b, const int axes) {
+    MDT_CHANGE_BODY(b);
+    if (axes & ~(MdtLockTranslation | MdtLockRotation)) {
+        MeWarning(1, "%s: %d is no sum of MdtLockedAxes (at most %d); nothing is changed", __func__, axes,
+                  MdtLockTranslation | MdtLockRotation);
+        return;
+    }
+    b->lockedAxes = axes;
+    mdt_bodyApplyLocks(b);
+}
+
+BODY_GETTER(int, MdtBodyGetLockedAxes, MdtLockNone, b->lockedAxes)
 
 /* ---- gravity factor and speed caps ---- */
 

@@ -44,6 +44,7 @@ static void setKinematic(MdtBodyID b, MeBool isKinematic, const char *caller) {
     else if (!mdt_moverMake(b, caller))
         isKinematic = MEFALSE;
     clearConstraints(b);
+    mdt_bodyApplyLocks(b);
     mdt_bodyRestart(b);
     mdt_graphChanged(b->world);
     MeStageEnd(&b->world->stage, MDT_GUARD_GRAPH);

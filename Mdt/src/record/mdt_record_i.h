@@ -14,7 +14,12 @@ void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v); /* angular: `spin`, 
 void mdt_bodyAcceptVelocities(MdtBodyID b); /* applies velocities that the program has written through pointers */
 void mdt_bodyClampPosition(MdtBodyID b);    /* clamps the position to its bound and stops the body there */
 void mdt_bodyCapSpeeds(MdtBodyID b);        /* scales its shown velocities down to its largest speeds */
-void mdt_bodyEnable(MdtBodyID b);           /* MdtBodyEnable and MdtBodyDisable, but never deferred */
+void mdt_bodyApplyLocks(MdtBodyID b);       /* after its locked axes were set, or it became or ceased to be a mover */
+/* Sets the inertia between two free rotations to that of the attitude in so many seconds; the momentum stays. */
+void mdt_bodyTurnInertia(MdtBodyID b, double time);
+/* Reduces a tensor in the body's axes to that between free rotations, in world axes, at the attitude q (mdt_lock.c). */
+void mdt_lockInertia(int rotations, const double q[4], double inertia[3][3]);
+void mdt_bodyEnable(MdtBodyID b); /* MdtBodyEnable and MdtBodyDisable, but never deferred */
 void mdt_bodyDisable(MdtBodyID b);
 void mdt_bodyAge(MdtBodyID b, double h); /* adds a step of h seconds to its times */
 MeBool mdt_bodyIsFast(const MdtBody *b); /* a velocity is at or above the world's sleep threshold */

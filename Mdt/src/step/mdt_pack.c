@@ -179,6 +179,8 @@ static void MEAPI packBodies(void *island, int first, int end, int worker) {
         p->bodies[i]->index = i;
         mdt_bodyPack(p->bodies[i], p->whole, p->numJoints > 0 && !p->isFast);
         addGravity(p->world, p->bodies[i]);
+        keaDropAxes(p->bodies[i]->kea.locked, p->bodies[i]->kea.force);
+        keaDropAxes(p->bodies[i]->kea.locked >> 3, p->bodies[i]->kea.torque);
         mdt_bodySaveStart(p->bodies[i]);
     }
 }

@@ -85,6 +85,7 @@ static void recordPositionCorrection(MdtBodyID b, const MdtStart *start, const M
 static void unpackBody(MdtBodyID b, double h) {
     MdtKeaVelocity end;
     mdt_bodyClampPosition(b);
+    mdt_bodyTurnInertia(b, 0);
     mdt_bodyShow(b);
     mdt_bodyVelocity(b, &end);
     for (int k = 0; k < 3; k++) {

@@ -105,11 +105,13 @@ static MeBool isAboutCentre(const KeaContact *c, int k) {
            keaLength(c->anchor[k]) <= kea_centredBall * c->manifold->radius[k];
 }
 
-/* Whether the body is a ball about its centre of mass: a sphyl (capsule) has round ends, too, but different moments. */
+/* Whether the body is a ball about its centre of mass: a sphyl (capsule) has round ends, too, but different moments. Of
+ * a body with locked rotations the moments do not tell. */
 static MeBool isBall(const MdtKeaSystem *s, const KeaContact *c, int k) {
     const double *I = isWorld(c, k) ? NULL : s->bodies[c->manifold->body[k]]->moments;
     const double max = I ? kea_equalMoments * I[0] : 0;
-    return I && c->isAboutCentre[k] && fabs(I[1] - I[0]) <= max && fabs(I[2] - I[0]) <= max;
+    return I && !(s->work->body[c->manifold->body[k]].locked & MdtKeaLOCKEDROTATIONS) && c->isAboutCentre[k] &&
+           fabs(I[1] - I[0]) <= max && fabs(I[2] - I[0]) <= max;
 }
 
 /* m: the radius of the circle that touches; 0 if its axis may become parallel to the normal within the sub-step. A

@@ -31,6 +31,7 @@ static void predictBody(MdtKeaSystem *s, int i, const double R[3][3]) {
     KeaBody *b = &s->work->body[i];
     const double h = s->parameters.stepsize;
     b->size = kea_bodyExtent(body);
+    b->locked = body->locked;
     integrateDamped(s->predicted[i].lin, body->velocity, body->force, body->invMass, body->damping[0], h);
     integrateDamped(b->freeMomentum, body->angularMomentum, body->torque, 1, body->damping[1], h);
     kea_angularVelocityBy(body->moments, R, b->freeMomentum, s->predicted[i].ang);
@@ -46,6 +47,8 @@ void kea_beginBody(MdtKeaSystem *s, int i) {
     kea_angularVelocityBy(body->moments, axes, body->angularMomentum, s->velocity[i].ang);
     s->invMass[i].mass = body->invMass;
     kea_inverseInertiaBy(body->moments, axes, s->invMass[i].inertia);
+    if (body->locked)
+        kea_dropLockedRotations(body->locked, s->invMass[i].inertia);
     predictBody(s, i, axes);
 }
 
@@ -67,7 +70,7 @@ static void storeAcceleration(MdtKeaBody *body, MdtKeaVelocity *start, double h)
  * computed anew for the new orientation. */
 static void commitState(MdtKeaBody *body, const KeaEnd *end) {
     double w[3];
-    const MeBool steady = !(body->flags & MdtKeaBodyFlagAddCoriolisForce);
+    const MeBool steady = kea_isSteady(body);
     if (steady)
         kea_angularVelocity(body, body->quaternion, end->angularMomentum, w);
     keaCopy(body->position, end->position);

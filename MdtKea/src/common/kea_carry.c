@@ -74,6 +74,7 @@ static MeBool carryOver(const MdtKeaSystem *s, const MdtKeaManifold *m, const Md
             continue;
         double *jump = s->work->added[body];
         alongSurface(m->normal, mover->position, &mover->jump, s->pose[body].pos, jump);
+        kea_dropLocked(s->work->body[body].locked, jump);
         if (!sticks(s, m->normal, mover, body, jump))
             continue;
         carrier[body] = mover;

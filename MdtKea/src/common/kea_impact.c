@@ -61,6 +61,7 @@ void kea_setInstantRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
         p->body[k] = row->body[k];
         kea_copyBlock(p->J[k], &row->J[k]);
     }
+    kea_lockRow(s, p->body, p->J);
     p->normal = row->normal;
     p->partner = row->partner;
     p->friction = row->friction;

@@ -142,6 +142,13 @@ static const double kea_smallStiffness = 0.01;
 /* Relative difference up to which moments count as equal: the rounding of a program's tensor in double arithmetic. */
 static const double kea_equalMoments = 1e-9;
 
+/* Of a row's mobility J M⁻¹ Jᵀ, the share that has to be along free axes: a row closer to the locked ones, within a
+ * milliradian, is left out. Else the rounding of its direction would be its lever. */
+static const double kea_minMobility = 1e-6;
+/* Of the square of the trace of the mobility along two directions: its determinant, up to which locked axes leave them
+ * one. Ten times the rounding of single precision. */
+static const double kea_lockedDirection = 1e-6;
+
 /* ---- the proximal parameter N, relative to A_ii: a compliance of the method, which the passes take out again ---- */
 
 /* N of joints; and of limits, motors, other bounded rows, and joints that make loops. The latter contradict each other,

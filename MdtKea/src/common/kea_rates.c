@@ -96,13 +96,16 @@ void kea_saveImpulses(MdtKeaSystem *s) {
 
 /* 1/kg: J M⁻¹ Jᵀ of a row. */
 static double inverseMassOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    double sum = 0, turn[3];
+    double sum = 0, turn[3], J[2][6];
+    for (int k = 0; k < 2; k++)
+        kea_copyBlock(J[k], &row->J[k]);
+    kea_lockRow(s, row->body, J);
     for (int k = 0; k < 2; k++) {
         if (row->body[k] < 0)
             continue;
         const MdtKeaInverseMassMatrix *m = &s->invMass[row->body[k]];
-        keaApply(turn, m->inertia, row->J[k].ang);
-        sum += m->mass * keaDot(row->J[k].lin, row->J[k].lin) + keaDot(turn, row->J[k].ang);
+        keaApply(turn, m->inertia, J[k] + 3);
+        sum += m->mass * keaDot(J[k], J[k]) + keaDot(turn, J[k] + 3);
     }
     return sum;
 }

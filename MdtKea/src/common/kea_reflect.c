@@ -74,17 +74,24 @@ static double rateOfBody(const Reflections *r, const Face *f, const Point *p, in
     return (k == 0 ? 1 : -1) * (keaDot(d, v->lin) + keaDot(turn, v->ang));
 }
 
+/* The part of d along free translations of a body. */
+static void freeAxes(const Reflections *r, int body, const double d[3], double freed[3]) {
+    keaCopy(freed, d);
+    keaDropAxes(r->s->work->body[body].locked, freed);
+}
+
 /* 1/kg: the mobility of a point along d. */
 static double mobilityAlong(const Reflections *r, const Face *f, const Point *p, const double d[3]) {
     double sum = 0;
     for (int k = 0; k < 2; k++) {
         const int b = f->manifold->body[k];
-        double turn[3], response[3];
+        double turn[3], response[3], freed[3];
         if (b < 0)
             continue;
         keaCross(turn, p->arm[k], d);
         keaApply(response, (const double(*)[3])r->s->invMass[b].inertia, turn);
-        sum += r->s->invMass[b].mass + keaDot(turn, response);
+        freeAxes(r, b, d, freed);
+        sum += r->s->invMass[b].mass * (r->s->work->body[b].locked ? keaDot(freed, freed) : 1) + keaDot(turn, response);
     }
     return sum;
 }
@@ -131,7 +138,7 @@ static void addFace(Reflections *r, MdtKeaManifold *m, const KeaContact *measure
     keaCopy(f->normal, measured ? measured->normal : m->normal);
     for (int k = 0; k < m->numPoints; k++) {
         Point *p = &r->point[r->numPoints];
-        if (m->point[k].numRows == 0)
+        if (m->point[k].numRows == 0) /* of the fast solver: its locked ones, too */
             continue;
         placePoint(r, m, &m->point[k], measured ? measured + k : NULL, p);
         setPoint(r, f, p);
@@ -194,9 +201,11 @@ static double beginReflection(Reflections *r, const Face *f) {
 static void addChange(const Reflections *r, const Face *f, const Point *p, double impulse, double d[2][6]) {
     for (int k = 0; k < 2; k++) {
         const int b = f->manifold->body[k];
+        double freed[3];
         if (b < 0)
             continue;
-        keaAddScaled(d[k], (k == 0 ? impulse : -impulse) * r->s->invMass[b].mass, f->normal);
+        freeAxes(r, b, f->normal, freed);
+        keaAddScaled(d[k], (k == 0 ? impulse : -impulse) * r->s->invMass[b].mass, freed);
         keaAddScaled(d[k] + 3, impulse, p->response[k]);
     }
 }
@@ -236,12 +245,13 @@ static void push(Reflections *r, const Face *f, const Point *p, const double t[3
     for (int k = 0; k < 2; k++) {
         const int b = f->manifold->body[k];
         const double sign = k == 0 ? impulse : -impulse;
-        double turn[3], response[3];
+        double turn[3], response[3], freed[3];
         if (b < 0)
             continue;
         keaCross(turn, p->arm[k], t);
         keaApply(response, (const double(*)[3])r->s->invMass[b].inertia, turn);
-        keaAddScaled(r->s->velocity[b].lin, sign * r->s->invMass[b].mass, t);
+        freeAxes(r, b, t, freed);
+        keaAddScaled(r->s->velocity[b].lin, sign * r->s->invMass[b].mass, freed);
         keaAddScaled(r->s->velocity[b].ang, sign, response);
     }
 }
@@ -249,7 +259,8 @@ static void push(Reflections *r, const Face *f, const Point *p, const double t[3
 /* Friction against the slip along the unit vector t: stops it, or is at its bound. Returns the impulse. */
 static double stopSlip(Reflections *r, const Face *f, const Point *p, const double t[3], double slip, double viscosity,
                        double bound) {
-    const double stop = slip / (mobilityAlong(r, f, p, t) + viscosity / r->s->parameters.stepsize);
+    const double mobility = mobilityAlong(r, f, p, t) + viscosity / r->s->parameters.stepsize;
+    const double stop = mobility > 0 ? slip / mobility : 0;
     const double impulse = -keaMin(keaMax(stop, -bound), bound);
     push(r, f, p, t, impulse);
     return impulse;

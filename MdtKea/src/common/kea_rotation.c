@@ -74,7 +74,10 @@ static int middleAxis(const double I[3]) {
 
 /* The orientation of the principal axes in the world, as quaternion and as matrix. */
 static void orientPrincipalAxes(const MdtKeaBody *body, const double q[4], double qp[4], double R[3][3]) {
-    keaQuaternionProduct(qp, q, body->principal);
+    if (body->locked & MdtKeaLOCKEDROTATIONS)
+        memcpy(qp, body->principal, sizeof body->principal);
+    else
+        keaQuaternionProduct(qp, q, body->principal);
     keaQuaternionToMatrix(R, qp);
 }
 
@@ -89,7 +92,7 @@ static void rotateSteadily(const MdtKeaBody *body, const double q0[4], const dou
 }
 
 void kea_rotateFree(const MdtKeaBody *body, const double q0[4], const double L[3], double h, double q1[4]) {
-    if (!(body->flags & MdtKeaBodyFlagAddCoriolisForce)) {
+    if (kea_isSteady(body)) {
         rotateSteadily(body, q0, L, h, q1);
         return;
     }

@@ -52,6 +52,7 @@ void kea_linearizeBends(MdtKeaSystem *s) {
             keaZero(p->J[k]);
             keaCopy(p->J[k] + 3, row->bend[k]);
         }
+        kea_lockRow(s, p->body, p->J);
         p->isInactive = !(stiffness > 0);
         p->E = p->isInactive ? 0 : 1 / stiffness;
         p->p = p->p0 = p->r = p->Jd = 0;

@@ -40,7 +40,16 @@ void kea_contactChooseRows(const MdtKeaSystem *s, KeaContact *c) {
     const MeBool touches = kea_mayTouch(s, c->manifold->body, &approach, -c->depth);
     c->friction = touches ? kindsOfFriction(&c->manifold->surface) : 0;
     c->at->depthNow = c->depth;
-    c->at->numRows = 1 + countFriction(c->friction);
+    c->at->numRows =
+        kea_isContactLocked(s, c->manifold, (const double(*)[3])c->arm) ? 0 : 1 + countFriction(c->friction);
+}
+
+static MeBool isPointLocked(const MdtKeaSystem *s, const MdtKeaManifold *m, int k) {
+    MdtKeaTransformation memory;
+    double arm[2][3];
+    for (int side = 0; side < 2 && s->work->hasLocks; side++)
+        keaSubtract(arm[side], m->point[k].position, kea_sidePose(s, m, side, &memory)->pos);
+    return s->work->hasLocks && kea_isContactLocked(s, m, (const double(*)[3])arm);
 }
 
 static int countRowsOfManifolds(MdtKeaSystem *s) {
@@ -48,8 +57,7 @@ static int countRowsOfManifolds(MdtKeaSystem *s) {
     for (int i = 0; i < s->numManifolds; i++) {
         const int each = 1 + countFriction(kindsOfFriction(&s->manifolds[i].surface));
         for (int k = 0; k < s->manifolds[i].numPoints; k++)
-            s->manifolds[i].point[k].numRows = each;
-        rows += each * s->manifolds[i].numPoints;
+            rows += s->manifolds[i].point[k].numRows = isPointLocked(s, &s->manifolds[i], k) ? 0 : each;
     }
     return rows;
 }
@@ -228,12 +236,14 @@ static MeBool replaceJacobians(MdtKeaSystem *s, const KeaContact *c) {
     double change2 = 0;
     for (int r = c->firstRow; r < endOfLinearRows(c); r++) {
         KeaProblemRow *p = &s->work->problem.row[r];
+        double before[2][6];
+        memcpy(before, p->J, sizeof before);
+        kea_copyJacobian(s, p, s->moves[r][0].J);
         for (int k = 0; k < 2; k++) {
             double change[3];
-            keaSubtract(change, s->moves[r][0].J[k].ang, p->J[k] + 3);
+            keaSubtract(change, p->J[k] + 3, before[k] + 3);
             change2 += keaDot(change, change);
         }
-        kea_copyJacobian(p, s->moves[r][0].J);
     }
     return change2 > slack * slack;
 }

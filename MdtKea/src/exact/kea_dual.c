@@ -73,7 +73,7 @@ static MeBool findEdges(MdtKeaSystem *s, KeaDual *d) {
 void kea_dualChooseFactor(MdtKeaSystem *s) {
     KeaDual *d = &s->work->dual;
     d->factor = NULL;
-    if (s->work->hasLoops || !findNodes(s, d) || !findEdges(s, d))
+    if (s->work->hasLoops || s->work->hasLocks || !findNodes(s, d) || !findEdges(s, d))
         return;
     KeaFactor *factor = kea_cacheFind(s->cache, d->numNodes, d->size, d->numEdges, (const int(*)[2])d->edges);
     if (factor && kea_factorFlops(factor) < kea_factorFlops(s->work->problem.factor))

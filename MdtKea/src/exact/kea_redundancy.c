@@ -19,6 +19,8 @@
 /* Union-find over the bodies and the world, whose index is numBodies. Rows that may reach a bound, such as stops, do
  * not count. */
 MeBool kea_hasLoops(const MdtKeaSystem *s) {
+    if (s->work->hasLocks) /* as if joints tied the body to the world */
+        return METRUE;
     int *parent = s->work->parent, owner = 0;
     MeBool isFirst = METRUE;
     for (int i = 0; i <= s->numBodies; i++)

@@ -12,7 +12,7 @@
  * term. */
 static MeBool isBodyReversible(const MdtKeaBody *body) {
     return body->damping[0] == 0 && body->damping[1] == 0 &&
-           ((body->flags & MdtKeaBodyFlagAddCoriolisForce) || kea_hasEqualMoments(body->moments));
+           (!kea_isSteady(body) || kea_hasEqualMoments(body->moments));
 }
 
 /* Whether the row depends symmetrically on both ends of the step: joints without bounds and compliance, springs without

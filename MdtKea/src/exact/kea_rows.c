@@ -176,11 +176,10 @@ static void copyBounds(KeaProblemRow *p, const MdtKeaRow *row, double h) {
     p->upper = h * row->upper;
 }
 
-void kea_copyJacobian(KeaProblemRow *p, const MdtKeaJBlockPair J) {
-    for (int k = 0; k < 2; k++) {
-        keaCopy(p->J[k], J[k].lin);
-        keaCopy(p->J[k] + 3, J[k].ang);
-    }
+void kea_copyJacobian(const MdtKeaSystem *s, KeaProblemRow *p, const MdtKeaJBlockPair J) {
+    for (int k = 0; k < 2; k++)
+        kea_copyBlock(p->J[k], &J[k]);
+    kea_lockRow(s, p->body, p->J);
 }
 
 /* Whether the row has no force in this step: a tail, a spring without stiffness and damping, or a row of a contact that
@@ -238,7 +237,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         p->isSplit = row->isSplit;
         p->isTail = row->isTail;
         copyBounds(p, row, h);
-        kea_copyJacobian(p, row->J);
+        kea_copyJacobian(s, p, row->J);
         s->work->movingRate[i] = 0;
         p->isInactive = isInactive(s, row);
         /* with holdsSlow kea_closeSlowContacts may close an open contact, which then needs its block of the matrix */
@@ -284,7 +283,7 @@ void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool
     kea_evaluateJacobians(s, poses, poses == s->work->meanPose ? 0.5 : 1);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact < 0)
-            kea_copyJacobian(&s->work->problem.row[i], s->rows[i].J);
+            kea_copyJacobian(s, &s->work->problem.row[i], s->rows[i].J);
     for (int i = 0; withBounds && i < s->numRows; i++)
         copyBounds(&s->work->problem.row[i], &s->rows[i], s->parameters.stepsize);
 }
@@ -324,10 +323,11 @@ void kea_setMovingRates(MdtKeaSystem *s) {
 
 /* The derivative of a row's error with respect to d, over h: J at the end pose, with its angular part times D / h
  * (MdtKeaWork.turnDerivative). */
-static void setTangent(const MdtKeaSystem *s, int body, const MdtKeaJBlock *J, double tangent[6]) {
-    keaCopy(tangent, J->lin);
-    keaApplyTransposed(tangent + 3, (const double(*)[3])s->work->turnDerivative[body], J->ang);
+static void setTangent(const MdtKeaSystem *s, int body, const double J[6], double tangent[6]) {
+    keaCopy(tangent, J);
+    keaApplyTransposed(tangent + 3, (const double(*)[3])s->work->turnDerivative[body], J + 3);
     keaScale(tangent + 3, 1 / s->parameters.stepsize, tangent + 3);
+    kea_dropLocked(s->work->body[body].locked, tangent);
 }
 
 void kea_differentiateRows(MdtKeaSystem *s) {
@@ -338,9 +338,13 @@ void kea_differentiateRows(MdtKeaSystem *s) {
         const MdtKeaRow *row = &s->rows[i];
         if (!row->position && !row->spring)
             memcpy(q->tangent[i], q->row[i].J, sizeof q->row[i].J);
+        double J[2][6];
+        for (int k = 0; k < 2; k++)
+            kea_copyBlock(J[k], &row->J[k]);
+        kea_lockRow(s, row->body, J);
         for (int k = 0; k < 2 && (row->position || row->spring); k++)
             if (row->body[k] >= 0)
-                setTangent(s, row->body[k], &row->J[k], q->tangent[i][k]);
+                setTangent(s, row->body[k], J[k], q->tangent[i][k]);
     }
     kea_restoreJacobians(s);
     for (int i = s->numRows; i < q->numRows; i++)

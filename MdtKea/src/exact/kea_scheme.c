@@ -32,7 +32,7 @@
 static void setStartSpin(const MdtKeaBody *body, KeaBody *b) {
     double L[3];
     kea_principalAxes(body, body->quaternion, b->axes);
-    b->isSpatial = kea_hasEqualMoments(body->moments) || !(body->flags & MdtKeaBodyFlagAddCoriolisForce);
+    b->isSpatial = kea_hasEqualMoments(body->moments) || kea_isSteady(body);
     if (b->isSpatial) {
         kea_inertia(body, body->quaternion, b->inertia);
         MdtKeaBodyGetAngularVelocity(body, b->spin);
@@ -209,6 +209,8 @@ static void gatherStiffness(MdtKeaSystem *s) {
             kea_addGeometricStiffness(q->metric[row->body[k]].angular, 0.5 * h, P, row->arm[k]);
         }
     }
+    for (int b = 0; b < s->numBodies && s->work->hasLocks; b++)
+        kea_dropLockedRotations(s->work->body[b].locked, q->metric[b].angular);
 }
 
 /* Sets the metric B = inertia / θ + geometric stiffness, which B->angular has at first. Stiffness far below the inertia
@@ -277,6 +279,15 @@ static void addExactStiffness(const MdtKeaSystem *s, int body, double r[3][3], c
     addProduct(r, 0.5, K, s->work->turnDerivative[body]);
 }
 
+/* Leaves the derivative between free rotations, and the inertia of locked ones. */
+static void lockTangent(const MdtKeaSystem *s, int body, double r[3][3]) {
+    const KeaBody *b = &s->work->body[body];
+    kea_dropLockedRotations(b->locked, r);
+    for (int k = 0; k < 3; k++)
+        if (b->locked >> (3 + k) & 1)
+            r[k][k] = b->inertia[k][k] / b->theta;
+}
+
 void kea_differentiateBodies(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numBodies; i++) {
@@ -294,6 +305,8 @@ void kea_differentiateBodies(MdtKeaSystem *s) {
             addExactStiffness(s, b, q->tangentInertia[b], P, row->arm[k]);
         }
     }
+    for (int i = 0; i < s->numBodies && s->work->hasLocks; i++)
+        lockTangent(s, i, q->tangentInertia[i]);
 }
 
 void kea_linearizeBodies(MdtKeaSystem *s) {

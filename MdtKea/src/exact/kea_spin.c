@@ -42,6 +42,9 @@ static void findGroups(MdtKeaSystem *s) {
             if (rows[i].p != 0 && rows[i].body[k] >= 0 && !isInternal(&rows[i]))
                 flags[kea_rootOf(parent, rows[i].body[k])] |= IS_OPEN;
     for (int b = 0; b < s->numBodies; b++)
+        if (s->work->body[b].locked)
+            flags[kea_rootOf(parent, b)] |= IS_OPEN;
+    for (int b = 0; b < s->numBodies; b++)
         if (!s->work->body[b].isFree && kea_isMovedByU(s, b) && s->work->body[b].theta == 1)
             flags[kea_rootOf(parent, b)] |= IS_DAMPED;
 }

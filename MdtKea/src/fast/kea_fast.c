@@ -36,6 +36,7 @@ typedef struct Step {
     double (*change)[6]; /* by place: N s, N m s, change of momentum by impulses */
     double (*turned)[4]; /* by place: the orientation at the end, without `displacement` */
     KeaGroup *groups;
+    KeaLocks *locks; /* by group; null: no body has locked axes */
     int numGroups;
     KeaJoints joints;
     double fall[3];     /* m, correction of all positions (setFall) */
@@ -111,6 +112,8 @@ static void fillGroups(void *context, KeaNode *node) {
     const KeaGathering from = gathering(p);
     KeaGroup *groups = p->groups + node->firstGroup;
     kea_groupManifolds(&p->regions, node, p->groups);
+    for (int i = 0; i < node->numGroups; i++)
+        groups[i].locks = p->locks ? &p->locks[node->firstGroup + i] : NULL;
     kea_fillGroups(&from, groups, node->numGroups);
     p->kernel->prepare(groups, node->numGroups, (float)p->s->parameters.stepsize);
 }
@@ -118,9 +121,12 @@ static void fillGroups(void *context, KeaNode *node) {
 static MeBool allocateGroups(Step *p) {
     p->numGroups = kea_colourManifolds(&p->regions);
     MEASSERT(p->numGroups <= p->s->numManifolds);
-    p->groups = kea_cacheScratch(p->s->cache, KEA_GROUP_BLOCK, (size_t)p->numGroups * sizeof *p->groups);
+    const size_t each = sizeof *p->groups + (p->s->work->hasLocks ? sizeof *p->locks : 0);
+    p->groups = kea_cacheScratch(p->s->cache, KEA_GROUP_BLOCK, (size_t)p->numGroups * each);
     if (!p->groups)
         return MEFALSE;
+    p->locks = p->s->work->hasLocks ? (KeaLocks *)(void *)(p->groups + p->numGroups) : NULL;
+    memset(p->locks ? (void *)p->locks : p->groups, 0, p->locks ? (size_t)p->numGroups * sizeof *p->locks : 0);
     kea_visitNodes(&p->regions, fillGroups, p);
     return METRUE;
 }
@@ -422,6 +428,7 @@ static void setEndMomentaOfNode(void *context, KeaNode *node) {
         const int body = p->regions.body[i];
         const KeaBody *b = &p->s->work->body[body];
         KeaEnd *end = &p->s->work->end[body];
+        kea_dropLocked(b->locked, p->change[i]);
         keaCopy(end->velocity, p->s->predicted[body].lin);
         keaAddScaled(end->velocity, p->s->bodies[body]->invMass, p->change[i]);
         keaCopy(end->angularMomentum, b->freeMomentum);
@@ -613,6 +620,8 @@ static void setFall(Step *p) {
     const MdtKeaSystem *s = p->s;
     double mass = 0;
     keaZero(p->fall);
+    if (s->work->hasLocks) /* the world holds the body */
+        return;
     for (int i = 0; i < s->numManifolds; i++)
         if (s->manifolds[i].body[0] < 0 || s->manifolds[i].body[1] < 0)
             return;

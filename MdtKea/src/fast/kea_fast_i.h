@@ -43,6 +43,11 @@ typedef struct KeaPatch {
     double arm[2][3]; /* m, lever arms from the bodies' centres to the centre, in the mean of the step */
 } KeaPatch;
 
+/* Of a system with locked axes, by body: 1 along free translations, 0 along locked ones. */
+typedef struct KeaLocks {
+    KeaLanes3 free[2];
+} KeaLocks;
+
 /* Eight manifolds. Passes over velocities write the fields after `pass` only. In unused lanes both bodies are the
  * world. */
 typedef struct KeaGroup {
@@ -52,6 +57,7 @@ typedef struct KeaGroup {
     /* kea_gather.c */
     int resistsRotation;    /* some manifold has rolling or spinning friction */
     int body[2][KEA_LANES]; /* index in arrays of KeaMotion: 0 for the world, else 1 + place of the body */
+    KeaLocks *locks;        /* null: no body of the system has locked axes */
     KeaLanes3 normal, along, arm[2];
     KeaLanes invMass[2], invInertia[2][6];
     KeaLanes x[KEA_POINTS], y[KEA_POINTS]; /* m */

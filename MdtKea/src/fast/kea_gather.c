@@ -74,6 +74,12 @@ static float clampBound(double bound) {
     return (float)keaMin(bound, kea_maxBound);
 }
 
+static void fillLocks(int locked, int k, KeaLocks *locks, int lane) {
+    locks->free[k].x[lane] = locked & 1 ? 0 : 1;
+    locks->free[k].y[lane] = locked & 2 ? 0 : 1;
+    locks->free[k].z[lane] = locked & 4 ? 0 : 1;
+}
+
 static void fillBody(const MdtKeaSystem *s, const int place[], const MdtKeaManifold *m, const KeaPatch *p, int k,
                      KeaGroup *g, int lane) {
     const int body = m->body[k];
@@ -85,6 +91,8 @@ static void fillBody(const MdtKeaSystem *s, const int place[], const MdtKeaManif
     for (int i = 0, at = 0; i < 3; i++)
         for (int j = i; j < 3; j++, at++)
             g->invInertia[k][at][lane] = mass ? (float)mass->inertia[i][j] : 0;
+    if (g->locks)
+        fillLocks(body >= 0 ? s->bodies[body]->locked : 0, k, g->locks, lane);
 }
 
 static double softnessOf(const MdtKeaSystem *s, const MdtKeaManifold *m) {
@@ -118,6 +126,11 @@ static double minDisplacement(const MdtKeaSystem *s, const MdtKeaPoint *point, d
     return keaMin(point->depth + resting, 0);
 }
 
+/* Whether locked axes leave the point no rows (MdtKeaCountContactRows). */
+static MeBool isLocked(const MdtKeaSystem *s, const MdtKeaPoint *point) {
+    return s->work->hasLocks && point->numRows == 0;
+}
+
 static void fillPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaPatch *p, double size, int k,
                       KeaGroup *g, int lane) {
     const MdtKeaPoint *point = &m->point[k];
@@ -125,14 +138,14 @@ static void fillPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaP
     const MeBool soft = g->correction[lane] == 0;
     const double slop = soft || gamma == 0 ? 0 : softnessOf(s, m) * h * h * keaMax(point->guess[0], 0) / gamma;
     const double along = g->isOneWay[lane] ? 0 : p->x[k];
-    g->isPoint[k][lane] = -1;
+    g->isPoint[k][lane] = isLocked(s, point) ? 0 : -1;
     g->x[k][lane] = (float)p->x[k];
     g->y[k][lane] = (float)p->y[k];
     g->gap[k][lane] = (float)-point->depth;
     g->slop[k][lane] = (float)(slop + kea_restingDepth * size);
     g->bias[k][lane] = (float)(minDisplacement(s, point, size, soft) / h);
     g->lever[k][lane] = (float)sqrt(along * along + p->y[k] * p->y[k]);
-    g->impulse[k][lane] = (float)(h * keaMax(point->guess[0], -m->surface.adhesion));
+    g->impulse[k][lane] = isLocked(s, point) ? 0 : (float)(h * keaMax(point->guess[0], -m->surface.adhesion));
 }
 
 static void fillRebounds(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaGroup *g, int lane) {
@@ -153,7 +166,7 @@ static void fillBounds(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaGroup 
     double count = 0, lever = 0;
     for (int k = 0; k < m->numPoints && (bound[0] > 0 || bound[1] > 0); k++) {
         const KeaApproach a = approachOf(s, m, &m->point[k]);
-        if (!kea_mayTouch(s, m->body, &a, -m->point[k].depth))
+        if (isLocked(s, &m->point[k]) || !kea_mayTouch(s, m->body, &a, -m->point[k].depth))
             continue;
         count += 1;
         lever += (double)g->lever[k][lane];

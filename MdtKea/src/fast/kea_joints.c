@@ -59,9 +59,10 @@ static double invEffectiveMassOf(const MdtKeaSystem *s, const KeaJointRow *r) {
 }
 
 /* Copies the present Jacobian of the system's row. */
-static void copyJointJacobian(KeaJointRow *r) {
+static void copyJointJacobian(const MdtKeaSystem *s, KeaJointRow *r) {
     for (int k = 0; k < 2; k++)
         kea_copyBlock(r->J[k], &r->row->J[k]);
+    kea_lockRow(s, r->row->body, r->J);
 }
 
 /* m/s: (J - J_0) v, the change of the row's rate at the start's velocities, from the start to the middle. */
@@ -123,7 +124,7 @@ static void setPositionLaw(double h, KeaJointRow *r) {
 static void setJointRow(const MdtKeaSystem *s, MeBool isMean, KeaJointRow *r) {
     const MdtKeaRow *row = r->row;
     const double h = s->parameters.stepsize;
-    copyJointJacobian(r);
+    copyJointJacobian(s, r);
     r->invEffectiveMass = invEffectiveMassOf(s, r);
     r->length = kea_lengthOf(s, row);
     r->perSize = r->length / kea_smallerExtent(s, row->body);
@@ -315,12 +316,15 @@ static void sumStiffness(const MdtKeaSystem *s, KeaJoints *j, const KeaJointBloc
             own->spread += keaLength(P) * keaDot(row->arm[k], row->arm[k]);
         }
     }
+    for (int n = b->firstNode; n < b->firstNode + b->numNodes && s->work->hasLocks; n++)
+        kea_dropLockedRotations(s->bodies[j->body[n].body]->locked, j->body[n].stiffness);
 }
 
 /* Sets inverse inertia and predicted angular velocity of a body to those by the inertia that the passes use. */
 static void usePassInertia(MdtKeaSystem *s, const KeaJointBody *b) {
     double(*inverse)[3] = s->invMass[b->body].inertia;
     kea_invert(inverse, (const double(*)[3])b->inertia);
+    kea_dropLockedRotations(s->bodies[b->body]->locked, inverse);
     keaApply(s->predicted[b->body].ang, (const double(*)[3])inverse, s->work->body[b->body].freeMomentum);
 }
 
@@ -869,7 +873,7 @@ void kea_jointsRelinearize(MdtKeaSystem *s, KeaJoints *j, const KeaMotion displa
         for (int k = j->block[i].firstRow; k < j->block[i].endRow; k++) {
             KeaJointRow *r = &j->row[k];
             const double before = jointRateOf(r, v);
-            copyJointJacobian(r);
+            copyJointJacobian(s, r);
             r->jointError += before - jointRateOf(r, v);
         }
     }
@@ -880,7 +884,7 @@ void kea_jointsRefactor(const MdtKeaSystem *s, KeaJoints *j) {
     for (int i = 0; i < j->numBlocks; i++) {
         KeaJointBlock *b = &j->block[i];
         for (int k = b->firstRow; k < b->endRow; k++) {
-            copyJointJacobian(&j->row[k]);
+            copyJointJacobian(s, &j->row[k]);
             j->row[k].invMassInBlock = 0;
         }
         factorizeBlock(s, j, b);

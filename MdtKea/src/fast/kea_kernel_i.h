@@ -44,10 +44,21 @@ KEA_INLINE KeaLanes3 rateAtCentre(const KeaGroup *g, const Pair *p) {
                            lanesSum(p->lin[1], lanesCross(p->ang[1], g->arm[1])));
 }
 
+/* The part of a vector along free translations of a body. */
+KEA_INLINE KeaLanes3 freeAxes(const KeaGroup *g, int b, KeaLanes3 a) {
+    const KeaLanes3 *free = &g->locks->free[b];
+    return (KeaLanes3){free->x * a.x, free->y * a.y, free->z * a.z};
+}
+
 /* Applies an impulse at the centre and a couple to both bodies. */
 KEA_INLINE void applyImpulse(const KeaGroup *g, Pair *p, KeaLanes3 impulse, KeaLanes3 couple) {
-    p->lin[0] = lanesSum(p->lin[0], lanesScale(g->invMass[0], impulse));
-    p->lin[1] = lanesDifference(p->lin[1], lanesScale(g->invMass[1], impulse));
+    if (g->locks) {
+        p->lin[0] = lanesSum(p->lin[0], lanesScale(g->invMass[0], freeAxes(g, 0, impulse)));
+        p->lin[1] = lanesDifference(p->lin[1], lanesScale(g->invMass[1], freeAxes(g, 1, impulse)));
+    } else {
+        p->lin[0] = lanesSum(p->lin[0], lanesScale(g->invMass[0], impulse));
+        p->lin[1] = lanesDifference(p->lin[1], lanesScale(g->invMass[1], impulse));
+    }
     p->ang[0] = lanesSum(p->ang[0], lanesApply(g->invInertia[0], lanesSum(lanesCross(g->arm[0], impulse), couple)));
     p->ang[1] =
         lanesDifference(p->ang[1], lanesApply(g->invInertia[1], lanesSum(lanesCross(g->arm[1], impulse), couple)));
@@ -263,6 +274,15 @@ KEA_INLINE void visitFriction(KeaGroup *g, const Rates *rates, const Limits *lim
     }
 }
 
+/* If the symmetric matrix T (11 12 22) of two directions has rank 1, sets its pseudo-inverse: both show the same free
+ * axis. */
+KEA_INLINE void invertLine(const KeaLanes T[3], KeaLanes inverse[3]) {
+    const KeaLanes square = (T[0] + T[2]) * (T[0] + T[2]);
+    const KeaMask isLine = (T[0] * T[2] - T[1] * T[1] <= (float)kea_lockedDirection * square) & (square > 0);
+    for (int i = 0; i < 3; i++)
+        inverse[i] = lanesSelect(isLine, T[i] / square, inverse[i]);
+}
+
 /* Solves for rolling friction about t1 and t2, starting from the guess `impulse`: the bodies do not rotate relative to
  * each other about them, or it is at its limit. */
 KEA_INLINE void solveRolling(const KeaGroup *g, const Pair *p, KeaLanes3 across, const Limits *limits,
@@ -277,8 +297,15 @@ KEA_INLINE void solveRolling(const KeaGroup *g, const Pair *p, KeaLanes3 across,
         T[2] += lanesDot(across, turned);
     }
     const KeaLanes det = T[0] * T[2] - T[1] * T[1], scale = lanesSelect(det > 0, 1 / det, lanesOf(0));
-    impulse[0] -= scale * (T[2] * rate[0] - T[1] * rate[1]);
-    impulse[1] -= scale * (T[0] * rate[1] - T[1] * rate[0]);
+    if (g->locks) {
+        KeaLanes inverse[3] = {scale * T[2], -scale * T[1], scale * T[0]};
+        invertLine(T, inverse);
+        impulse[0] -= inverse[0] * rate[0] + inverse[1] * rate[1];
+        impulse[1] -= inverse[1] * rate[0] + inverse[2] * rate[1];
+    } else {
+        impulse[0] -= scale * (T[2] * rate[0] - T[1] * rate[1]);
+        impulse[1] -= scale * (T[0] * rate[1] - T[1] * rate[0]);
+    }
     const KeaLanes share = shareWithin(limits->rollingImpulse, impulse[0], impulse[1]);
     impulse[0] *= share;
     impulse[1] *= share;
@@ -350,6 +377,11 @@ static void pass(KeaGroup groups[], int count, KeaMotion motion[], float beta, f
 
 /* ---- before passes ---- */
 
+/* 1/kg: the mobility of a body's centre of mass along a unit vector. */
+KEA_INLINE KeaLanes translationAlong(const KeaGroup *g, int b, KeaLanes3 d) {
+    return g->locks ? g->invMass[b] * lanesDot(d, freeAxes(g, b, d)) : g->invMass[b];
+}
+
 /* The matrix K by which impulses along u change u, 1/kg: 00 01 02 11 12 22. */
 KEA_INLINE void findMobility(const KeaGroup *g, KeaLanes3 across, KeaLanes K[6]) {
     for (int i = 0; i < 6; i++)
@@ -358,7 +390,7 @@ KEA_INLINE void findMobility(const KeaGroup *g, KeaLanes3 across, KeaLanes K[6])
         const KeaLanes3 lever = lanesCross(g->arm[b], g->normal);
         const KeaLanes3 turned = lanesApply(g->invInertia[b], lever), atAcross = lanesApply(g->invInertia[b], across),
                         atAlong = lanesApply(g->invInertia[b], g->along);
-        K[0] += g->invMass[b] + lanesDot(lever, turned);
+        K[0] += translationAlong(g, b, g->normal) + lanesDot(lever, turned);
         K[1] -= lanesDot(lever, atAcross);
         K[2] += lanesDot(lever, atAlong);
         K[3] += lanesDot(across, atAcross);
@@ -463,9 +495,11 @@ KEA_INLINE void setFrictionMass(KeaGroup *g, KeaLanes3 across) {
     for (int b = 0; b < 2; b++) {
         const KeaLanes3 first = lanesCross(g->arm[b], g->along), second = lanesCross(g->arm[b], across);
         const KeaLanes3 turned = lanesApply(g->invInertia[b], second);
-        T[0] += g->invMass[b] + lanesDot(first, lanesApply(g->invInertia[b], first));
+        T[0] += translationAlong(g, b, g->along) + lanesDot(first, lanesApply(g->invInertia[b], first));
         T[1] += lanesDot(first, turned);
-        T[2] += g->invMass[b] + lanesDot(second, turned);
+        T[2] += translationAlong(g, b, across) + lanesDot(second, turned);
+        if (g->locks)
+            T[1] += g->invMass[b] * lanesDot(g->along, freeAxes(g, b, across));
         invTorsionMass += lanesDot(g->normal, lanesApply(g->invInertia[b], g->normal));
     }
     T[1] = lanesSelect(g->isOneWay, lanesOf(0), T[1]);
@@ -473,6 +507,8 @@ KEA_INLINE void setFrictionMass(KeaGroup *g, KeaLanes3 across) {
     g->frictionMass[0] = lanesSelect(det > 0, T[2] / det, lanesOf(0));
     g->frictionMass[1] = lanesSelect(det > 0, -T[1] / det, lanesOf(0));
     g->frictionMass[2] = lanesSelect((det > 0) & ~g->isOneWay, T[0] / det, lanesOf(0));
+    if (g->locks)
+        invertLine(T, g->frictionMass);
     g->torsionMass = lanesSelect(invTorsionMass > 0, 1 / invTorsionMass, lanesOf(0));
 }
 
@@ -490,6 +526,8 @@ KEA_INLINE void setFrictionCoupling(KeaGroup *g, KeaLanes3 across) {
                                  lanesApply(g->invInertia[b], minus), lanesApply(g->invInertia[b], g->along)};
         const KeaLanes3 byTorsion = lanesApply(g->invInertia[b], g->normal);
         for (int i = 0; i < 2; i++) {
+            if (g->locks)
+                g->toSlide[i][0] += g->invMass[b] * lanesDot(i == 0 ? g->along : across, freeAxes(g, b, g->normal));
             g->torsionToSlide[i] += lanesDot(lever[i], byTorsion);
             for (int j = 0; j < 3; j++)
                 g->toSlide[i][j] += lanesDot(lever[i], by[j]);

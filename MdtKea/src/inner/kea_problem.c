@@ -104,6 +104,13 @@ MeBool kea_problemMaySpend(KeaProblem *q, MeBool unsymmetric) {
 
 /* ---- effective masses, accumulation over solves ---- */
 
+/* The cone of a row that moves nothing, along a locked axis, is the interval of the other row. */
+static void leaveCone(KeaProblem *q, KeaProblemRow *row) {
+    q->row[row->partner].partner = -1;
+    row->partner = -1;
+    row->p = row->p0 = 0;
+}
+
 void kea_problemSetEffectiveMasses(KeaProblem *q) {
     for (int i = 0; i < q->numRows; i++) {
         KeaProblemRow *row = &q->row[i];
@@ -125,6 +132,8 @@ void kea_problemSetEffectiveMasses(KeaProblem *q) {
             row[-1].Aii += row->Aii;
             row[-1].AiiLinear += row->AiiLinear;
             row->Aii = row->AiiLinear = 0;
+        } else if (row->Aii == 0 && row->partner >= 0) {
+            leaveCone(q, row);
         }
     }
 }
