@@ -116,7 +116,9 @@ MEPUBLIC MeReal MEAPI MdtBodyGetKineticEnergy(const MdtBodyID b);
  *  Nothing moves them but the program, and they move all that touches them or is tied to them: they push, carry by
  *  friction, and wake. They are in no partition, and make no contacts with fixed models and with each other. They do
  *  not fall asleep; one that does not move costs what a fixed model costs. While disabled they stand still. Where they
- *  leave a body no room, such as doors that close on it, they overlap it, and forces of contacts mean nothing.
+ *  leave a body no room, such as doors that close on it, they enter it, and it stays: the fast solver takes over, and
+ *  forces of contacts, above some ten times what the load explains, tell only that it is crushed. A motor of a bounded
+ *  force stops instead (MdtLimitSetLimitedForceMotor).
  *  @{ */
 /** With METRUE the program moves the body from now on, by its velocities (MdtBodySetLinearVelocity and
  *  ...AngularVelocity), which stay as they are, or by MdtBodyMoveTo. With MEFALSE it obeys forces again, with its mass.

@@ -34,6 +34,7 @@ typedef struct MdtIslandRecord {
     int stepsUntilRetry,
         stepsSinceTry; /* steps to wait before the fast solver is tried again; steps since its last try */
     MeBool wasExact;   /* the exact solver solved the last step */
+    float crushed;     /* s left in which movers count as leaving bodies no room (mdt_crush.c) */
     /* fields of this step */
     MeBool isExactFirst; /* the exact solver is tried first */
     MdtAccount account;  /* the account that pays the exact work */

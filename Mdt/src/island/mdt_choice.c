@@ -104,6 +104,7 @@ void mdt_recordMerge(MdtIslandRecord *to, const MdtIslandRecord *from) {
     to->isUnfit = to->isUnfit || from->isUnfit;
     to->hasNoContacts = to->hasNoContacts && from->hasNoContacts;
     to->wasExact = to->wasExact || from->wasExact;
+    to->crushed = fmaxf(to->crushed, from->crushed);
     to->requested = from->requested;
     to->steps = MeMAX(to->steps, from->steps);
     to->stepsUntilRetry = MeMAX(to->stepsUntilRetry, from->stepsUntilRetry);
@@ -412,6 +413,7 @@ static void returnUnusedShare(const MdtIsland *p, MdtIslandRecord *r) {
 
 void mdt_choiceRecordStep(const MdtIsland *p, MdtIslandRecord *r) {
     r->stepsSinceTry++;
+    r->crushed = fmaxf(r->crushed - (float)p->h, 0);
     if (p->fastWork > 0)
         recordFastStep(p, r);
     if (p->exactWork > 0 || p->hasDeclined)

@@ -66,6 +66,7 @@ void mdt_islandStep(MdtIsland *p) {
         const MeBool isSettled = mdt_islandIsSettled(p);
         if (isSettled)
             mdt_islandResetPoses(p);
+        mdt_crushCapSpeeds(p);
         mdt_unpackBodies(p);
         mdt_islandCertify(p, isSettled);
     }

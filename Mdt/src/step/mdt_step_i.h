@@ -71,6 +71,12 @@ void mdt_contactsClearForces(const MdtIsland *p);
 void mdt_contactsUnpack(const MdtIsland *p, MeBool isGuess);
 double mdt_contactsPenetration(const MdtIsland *p);
 
+/* Whether a mover crushes bodies, by the answer for a part (mdt_crush.c); the record keeps it. mdt_crushUndoImpact
+ * gives bodies the velocities of the step's start if an impact has crushed them; mdt_crushCapSpeeds limits those at the
+ * end of a step that has to the fastest at its start. */
+MeBool mdt_isCrushed(const MdtIsland *p);
+void mdt_crushUndoImpact(const MdtIsland *p);
+void mdt_crushCapSpeeds(const MdtIsland *p);
 /* Advances the step in parts, within its work budget, or until the bodies are stopped (mdt_subdivide.c). */
 void mdt_islandSubdivide(MdtIsland *p);
 /* mdt_substepBegin sets the parameters and Kea's arrays of a part; mdt_substepImpact resolves an impact at its start;

@@ -100,6 +100,7 @@ void mdt_substepImpact(MdtIsland *p) {
     mdt_budgetGrant(p);
     MdtKeaImpact(&p->kea);
     mdt_budgetDraw(p);
+    mdt_crushUndoImpact(p);
     mdt_reportPath(p->report, MdtReportWayTimed);
     mdt_unpackImpact(p);
     if (MdtKeaFlies(&p->kea))
@@ -197,7 +198,7 @@ static AfterSolve chooseAfterSolve(const MdtIsland *p, int halvings) {
         return HALVE;
     if (r->refused)
         return SOLVE_REFUSED;
-    return (haveJointsOpened || isUnsupported) && maySwitch ? SWITCH_TO_FAST : INTEGRATE;
+    return maySwitch && (haveJointsOpened || isUnsupported || mdt_isCrushed(p)) ? SWITCH_TO_FAST : INTEGRATE;
 }
 
 static void advanceHalves(MdtIsland *p, double substep, int halvings) {
@@ -298,7 +299,8 @@ static TimedResult solveToEvent(MdtIsland *p, double remaining, double min, int 
     mdt_substepSolveRows(p);
     const MeBool hasEvent = r->event < remaining - min;
     const MeBool chatters = hasEvent && r->trembles; /* slow impacts would follow each other endlessly */
-    if (!isAccurate(p) || r->factorizations > MDT_MAX_FACTORIZATIONS || chatters)
+    if (!isAccurate(p) || r->factorizations > MDT_MAX_FACTORIZATIONS || chatters || mdt_isCrushed(p) ||
+        p->record->crushed > 0)
         return r->violent ? VIOLENT : NOT_TIMED;
     if (!hasEvent)
         return TIMED;
@@ -362,7 +364,7 @@ static void advanceTimed(MdtIsland *p, double substep) {
  * */
 static MeBool isTimed(MdtIsland *p, double substep) {
     const int max = p->world->timedBodies;
-    if (max == 0 || p->numActing == 0 || p->isFast)
+    if (max == 0 || p->numActing == 0 || p->isFast || p->record->crushed > 0)
         return MEFALSE;
     if (p->numJoints == 0 && p->numBodies <= max)
         return METRUE;
