@@ -91,6 +91,9 @@ MEPUBLIC void MEAPI McdModelDropBox(McdModelID cm);
 MEPUBLIC void MEAPI McdSpaceBeginOwnChanges(McdSpaceID s);
 /** @} */
 
+/** Whether queries are legal in a change block, too: they find models by their boxes as of the last update. */
+MEPUBLIC void MEAPI McdSpaceAllowQueries(McdSpaceID s, MeBool on);
+
 /** @name Workers
  *  @{ */
 /** Sets the worker threads that update the boxes of models; null: the calling thread only. */

@@ -4,6 +4,7 @@
 #ifndef MDTINTERNAL_H
 #define MDTINTERNAL_H
 
+#include "MdtBcl.h"
 #include "MdtTypes.h"
 #include "MeInternal.h"
 #include "MeTeam.h"
@@ -153,6 +154,32 @@ MEPUBLIC MeBool MEAPI MdtContactGroupIsFlat(MdtContactGroupID g);
 MEPUBLIC MeBool MEAPI MdtWorldHasNoCollide(const MdtWorldID w);
 /** True if such a joint is enabled between the two bodies, which are not null. */
 MEPUBLIC MeBool MEAPI MdtBodiesAreNoCollide(const MdtBodyID b1, const MdtBodyID b2);
+
+/** @name Wheels without bodies: Mst, for vehicles
+ *  A joint of a chassis, the first body, and the ground: the second body, or none.
+ *  @{ */
+/** Where such a wheel is, and what it rolls on. */
+typedef struct MdtWheelPlace {
+    double
+        position[3]; /**< m, the wheel's centre at suspension length 0; this and the next two in the chassis' frame */
+    double up[3], forward[3];   /**< unit, orthogonal */
+    double point[3], normal[3]; /**< m, unit: plane of the ground, world frame */
+} MdtWheelPlace;
+/** Creates the joint of a chassis, enabled, without ground. *@a serial tells it from later joints at the same address.
+ *  Null, after a message, if the world is full. */
+MEPUBLIC MdtConstraintID MEAPI MdtGroundWheelCreate(const MdtBodyID chassis, MeU64 *serial);
+/** Its data, which are an input of the next step; null: it has been destroyed, or its chassis is another body now. */
+MEPUBLIC MdtBclGroundWheel *MEAPI MdtGroundWheelGet(const MdtConstraintID c, MeU64 serial, const MdtBodyID chassis);
+/** Places the wheel, on a body of the ground, which may be hidden or kinematic, or on the world. */
+MEPUBLIC void MEAPI MdtGroundWheelPlace(const MdtConstraintID c, const MdtWheelPlace *place, const MdtBodyID ground);
+/** Joins two wheels of a chassis by an anti-roll bar for the next step, after both were placed. False, and there is
+ *  none: they are on different bodies. */
+MEPUBLIC MeBool MEAPI MdtGroundWheelJoin(const MdtConstraintID c, const MdtConstraintID twin, double stiffness);
+/** Destroys the joint, if it is still there. */
+MEPUBLIC void MEAPI MdtGroundWheelDestroy(const MdtConstraintID c, MeU64 serial);
+/** The pose of a body's frame before rounding: a point p of it is at R p + position. */
+MEPUBLIC void MEAPI MdtBodyGetExactPose(const MdtBodyID b, MdtKeaTransformation *pose);
+/** @} */
 
 /** The world's workers, for everything that belongs to its step; null if there is one worker. */
 MEPUBLIC MeTeam *MEAPI MdtWorldGetTeam(const MdtWorldID w);

@@ -15,27 +15,28 @@ ME_BEGIN_C
 
 /** @name Maximal number of rows of each constraint type
  *  @{ */
-#define MdtBclGETMAXROWSBSJOINT   3 /**< Without the 3 of a position motor. */
-#define MdtBclGETMAXROWSHINGE     8 /**< 5 of the joint, 1 for motor or lock, 1 for each stop. */
-#define MdtBclGETMAXROWSPRISMATIC 8 /**< As of a hinge. */
-#define MdtBclGETMAXROWSCARWHEEL  8 /**< 3 of the joint; 1 each for steering, spring, hinge motor; 2 stops. */
-#define MdtBclGETMAXROWSCONTACT   3
-#define MdtBclGETMAXROWSFIXEDPATH 3
-#define MdtBclGETMAXROWSRPROJOINT 6
-#define MdtBclGETMAXROWSUNIVERSAL 4
-#define MdtBclGETMAXROWSSKELETAL  7 /**< 3 of the joint, 2 for swing, 2 for twist; without those of a motor. */
-#define MdtBclGETMAXROWSLINEAR1   1
-#define MdtBclGETMAXROWSLINEAR2   2
-#define MdtBclGETMAXROWSANGULAR3  3
-#define MdtBclGETMAXROWSSPRING6   6
-#define MdtBclGETMAXROWSSPRING    3 /**< 1 of a rod or a spring; else a motor and two stops. */
-#define MdtBclGETMAXROWSCONELIMIT 1
-#define MdtBclGETMAXROWSFPFOJOINT 6
-#define MdtBclGETMAXROWSGEAR      1
-#define MdtBclGETMAXROWSPULLEY    1
-#define MdtBclGETMAXROWSMIMIC     6 /**< 1, or a split row of 2 and the room that it takes (MdtKea.h). */
-#define MdtBclGETMAXROWSUSER      12
-#define MdtBclGETMAXROWS          12 /**< of any constraint */
+#define MdtBclGETMAXROWSBSJOINT     3 /**< Without the 3 of a position motor. */
+#define MdtBclGETMAXROWSHINGE       8 /**< 5 of the joint, 1 for motor or lock, 1 for each stop. */
+#define MdtBclGETMAXROWSPRISMATIC   8 /**< As of a hinge. */
+#define MdtBclGETMAXROWSCARWHEEL    8 /**< 3 of the joint; 1 each for steering, spring, hinge motor; 2 stops. */
+#define MdtBclGETMAXROWSCONTACT     3
+#define MdtBclGETMAXROWSFIXEDPATH   3
+#define MdtBclGETMAXROWSRPROJOINT   6
+#define MdtBclGETMAXROWSUNIVERSAL   4
+#define MdtBclGETMAXROWSSKELETAL    7 /**< 3 of the joint, 2 for swing, 2 for twist; without those of a motor. */
+#define MdtBclGETMAXROWSLINEAR1     1
+#define MdtBclGETMAXROWSLINEAR2     2
+#define MdtBclGETMAXROWSANGULAR3    3
+#define MdtBclGETMAXROWSSPRING6     6
+#define MdtBclGETMAXROWSSPRING      3 /**< 1 of a rod or a spring; else a motor and two stops. */
+#define MdtBclGETMAXROWSCONELIMIT   1
+#define MdtBclGETMAXROWSFPFOJOINT   6
+#define MdtBclGETMAXROWSGEAR        1
+#define MdtBclGETMAXROWSPULLEY      1
+#define MdtBclGETMAXROWSMIMIC       6 /**< 1, or a split row of 2 and the room that it takes (MdtKea.h). */
+#define MdtBclGETMAXROWSGROUNDWHEEL 6 /**< Suspension, its stop, tyre along and across, anti-roll bar, lean. */
+#define MdtBclGETMAXROWSUSER        12
+#define MdtBclGETMAXROWS            12 /**< of any constraint */
 /** @} */
 
 /** Attachment frame of a constraint, in the frame of a body (origin at its centre of mass), or of the world. */
@@ -216,6 +217,44 @@ typedef struct MdtBclCoupling {
     void *joint[2];     /**< Mimic: Mdt's joints, or null */
 } MdtBclCoupling;
 
+/** Where a wheel without a body touches: along its suspension, along the normal, in its plane. */
+typedef enum MdtBclWheelShape { MdtBclWheelRay = 0, MdtBclWheelSphere = 1, MdtBclWheelDisc = 2 } MdtBclWheelShape;
+
+/** GroundWheel: a wheel that rolls on a plane of the ground (bcl_groundwheel.c). */
+typedef struct MdtBclGroundWheel {
+    MdtBclWheelShape shape;
+    double radius, distance;               /**< m: of the wheel; from its centre to the plane that it touches */
+    double mass;                           /**< kg, that it carries */
+    MeBool isOnGround;                     /**< else the wheel hangs, without rows */
+    double stiffness, damping, freeLength; /**< N/m, N s/m, m: length of the unloaded suspension */
+    double low;                            /**< m: length at the stop */
+    double barStiffness;                   /**< N/m: of an anti-roll bar to a wheel on the same ground; 0: none */
+    double barBound[2];                    /**< N, of its force on this wheel's load, <= 0 and >= 0 */
+    MdtBclFrame twin[2];                   /**< that wheel's frames, as of the joint */
+    double twinDistance, twinFreeLength;   /**< m, likewise */
+    MdtBclWheelShape twinShape;
+    double inertia, drive, brake; /**< kg m², N m, N m: torque of the engine; the largest one of brakes */
+    double slip[2];               /**< m/s per N: of the tyre along and across */
+    double bound[2];              /**< N: the largest tyre forces */
+    double lean, leanRate, leanStiffness, leanDamping; /**< rad, rad/s, N m/rad, N m s/rad: of a motorcycle: from its
+                                                            balance, and of that */
+    double spin, angle; /**< rad/s, rad: of the wheel relative to the chassis; rolls forwards if > 0 */
+    /* Written by readBack. */
+    double length, lengthRate;    /**< m, m/s */
+    double load;                  /**< N, along the plane's normal */
+    double slope;                 /**< cosine of the suspension's angle to it */
+    double springForce, barForce; /**< N, along the suspension; barForce: from this wheel's joint on it, and off the
+                                       other one */
+    double force[3];              /**< N, of the tyre on the chassis, along and across; [2]: 0 */
+    double velocity[3];           /**< m/s, of the chassis at the contact relative to the ground, likewise */
+    /* Set by the library. */
+    double gain;      /**< m/s, by which velocity[0] has changed in the last step */
+    double stopForce; /**< N, of the stop in the last step */
+    double direction; /**< -1, 0 or 1: the direction of its spin, which the brake opposes */
+    MeBool isLocked;  /**< its brake stops the spin in this step */
+    int rows;         /**< set of this step's rows */
+} MdtBclGroundWheel;
+
 struct MdtBclContext;
 
 /** The list of rows that a program's function adds to a user constraint (MdtBclAddRow). */
@@ -249,6 +288,7 @@ typedef struct MdtBclConstraint {
         MdtBclCone cone;
         MdtBclCarWheel wheel;
         MdtBclSkeletal skeletal;
+        MdtBclGroundWheel groundWheel;
         MdtBclUser user;
         MdtBclCoupling coupling;
     } of;

@@ -34,6 +34,7 @@ typedef enum MdtBclJointType {
     MdtBclGEAR = 18,
     MdtBclPULLEY = 19,
     MdtBclMIMIC = 20,
+    MdtBclGROUNDWHEEL = 21, /**< of MstVehicle, which makes them */
 } MdtBclJointType;
 
 #define MdtBclNO_BODY MdtKeaWORLD /**< The world, in place of a body's index. */

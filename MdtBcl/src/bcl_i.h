@@ -9,7 +9,7 @@
 
 extern const MdtBclType bcl_bsJoint, bcl_hinge, bcl_prismatic, bcl_carWheel, bcl_contact, bcl_contactGroup,
     bcl_fixedPath, bcl_rproJoint, bcl_universal, bcl_skeletal, bcl_linear1, bcl_linear2, bcl_angular3, bcl_spring6,
-    bcl_spring, bcl_coneLimit, bcl_user, bcl_fpfoJoint, bcl_gear, bcl_pulley, bcl_mimic;
+    bcl_spring, bcl_coneLimit, bcl_user, bcl_fpfoJoint, bcl_gear, bcl_pulley, bcl_mimic, bcl_groundWheel;
 
 /* Sine of the angle below which two axes count as parallel: their cross product has no direction. */
 #define BCL_PARALLEL 1e-6

@@ -17,7 +17,7 @@ const MdtBclType *MEAPI MdtBclTypeOf(MdtBclJointType type) {
         [MdtBclSPRING] = &bcl_spring,       [MdtBclCONELIMIT] = &bcl_coneLimit,
         [MdtBclUSER] = &bcl_user,           [MdtBclFPFOJOINT] = &bcl_fpfoJoint,
         [MdtBclGEAR] = &bcl_gear,           [MdtBclPULLEY] = &bcl_pulley,
-        [MdtBclMIMIC] = &bcl_mimic,
+        [MdtBclMIMIC] = &bcl_mimic,         [MdtBclGROUNDWHEEL] = &bcl_groundWheel,
     };
     const int count = (int)(sizeof table / sizeof *table);
     return (int)type >= 0 && (int)type < count ? table[type] : NULL;

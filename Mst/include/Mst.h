@@ -15,5 +15,6 @@
 #include "MstTypes.h"
 #include "MstUniverse.h"
 #include "MstUtils.h"
+#include "MstVehicle.h"
 
 #endif

@@ -88,11 +88,12 @@ extern MEPUBLIC const MstUniverseSizes MstUniverseGrowingSizes;
 
 /** A universe: collision, dynamics and the bridge between them. */
 struct MstUniverse {
-    MdtWorldID world;       /**< Dynamics. */
-    McdFrameworkID frame;   /**< Geometry types, geometries and models. */
-    McdSpaceID space;       /**< The farfield (broad phase). */
-    MstBridgeID bridge;     /**< Makes contacts of touching pairs. */
-    MstUniverseSizes sizes; /**< As given to MstUniverseCreate. */
+    MdtWorldID world;            /**< Dynamics. */
+    McdFrameworkID frame;        /**< Geometry types, geometries and models. */
+    McdSpaceID space;            /**< The farfield (broad phase). */
+    MstBridgeID bridge;          /**< Makes contacts of touching pairs. */
+    MstUniverseSizes sizes;      /**< As given to MstUniverseCreate. */
+    struct MstVehicle *vehicles; /**< Private. */
 };
 
 ME_END_C

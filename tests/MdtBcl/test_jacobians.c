@@ -5,6 +5,7 @@
 #include "MdtKeaMath.h"
 #include "MeMath.h"
 #include "karma_test.h"
+#include <string.h>
 
 static const double small = 1e-6; /* of a finite difference: errors of 1e-12 of curvature, 1e-10 of rounding */
 static const double tolerance = 2e-8;
@@ -756,5 +757,57 @@ TEST(contacts_and_friction) {
         for (int i = 0; i < 3; i++)
             assert_near(rateOf(&s, &s.rows[i]), slideOf(&s, m.point[0].position, along[i]), tolerance);
         assert_near(s.rows[0].error, -m.point[0].depth, TOL(2e-6, 2e-14)); /* but for the rounding of places */
+    }
+}
+
+/* ---- wheels on the ground ---- */
+
+static void onGround(MdtBclConstraint *c) {
+    MdtBclGroundWheel *g = &c->of.groundWheel;
+    g->isOnGround = METRUE;
+    g->stiffness = g->freeLength = 1;
+    g->distance = g->twinDistance = .5;
+    g->low = -1e9;
+    g->leanStiffness = g->barStiffness = 1;
+    memcpy(g->twin, c->frame, sizeof g->twin);
+    g->twin[0].position[1] += 1;
+    g->twin[1].position[0] += .5;
+    g->barBound[0] = -1;
+    g->barBound[1] = 1;
+}
+
+/* m: of a suspension, from the attachment to where the ray meets the plane, less the wheel's radius. */
+static double lengthOf(const Scene *s, const MdtBclFrame frame[2]) {
+    double a[3], p[3], up[3], normal[3];
+    keaApply(a, s->pose[0].R, frame[0].position);
+    keaAddScaled(a, 1, s->pose[0].pos);
+    keaApply(p, s->pose[1].R, frame[1].position);
+    keaAddScaled(p, 1, s->pose[1].pos);
+    keaSubtract(a, a, p);
+    keaApply(up, s->pose[0].R, frame[0].primary);
+    keaApply(normal, s->pose[1].R, frame[1].primary);
+    return (keaDot(normal, a) - .5) / keaDot(normal, up);
+}
+
+static double lengthAt(Scene *s, double t, MeBool isBar) {
+    setPoses(s, t);
+    return lengthOf(s, s->joint.frame) - (isBar ? lengthOf(s, s->joint.of.groundWheel.twin) : 0);
+}
+
+TEST(wheels_on_the_ground) {
+    for (int trial = 0; trial < TRIALS; trial++) {
+        Scene s;
+        seed = 77 + (unsigned long long)trial;
+        makeScene(&s, MdtBclGROUNDWHEEL, NULL);
+        alignAxes(&s, .1 * number());
+        onGround(&s.joint);
+        ck_assert_int_eq(s.type->prepare(&s.joint, &s.context), 5);
+        s.type->fill(&s.joint, &s.context, s.rows);
+        for (int bar = 0; bar < 2; bar++) {
+            const MdtKeaRow *row = &s.rows[bar ? 3 : 0];
+            const double before = lengthAt(&s, -small, bar), after = lengthAt(&s, small, bar), rate = rateOf(&s, row);
+            assert_near(rate, (after - before) / (2 * small), tolerance * (1 + fabs(rate)));
+            assert_near(row->error, lengthAt(&s, 0, bar) - 1, 1e-9);
+        }
     }
 }

@@ -91,7 +91,7 @@ WEIGHTS = [
     (r'Mdt\w+(Create|SetBodies|Enable)$', 3),
     (r'McdIntersect$|McdModelPairCreate$|McdSafeTime$|McdDistance$', 5),
     (r'MstUniverseGet\w+$', 3), (r'MstBridgeGetContactParams$', 6),
-    (r'MdtWorldSetGravity$', 4),
+    (r'MdtWorldSetGravity$', 4), (r'MstVehicle(Create|Drive)$', 5), (r'MstVehicleAddWheel$', 12),
 ]
 
 # Structures of which there is a pool: canonical names (the structure's tag).
@@ -102,7 +102,7 @@ HANDLES = [
     'MdtContactGroup', 'MdtBclLimit',
     'MdtBclSingleLimit', 'MdtBclContactParams', '_McdFramework', '_McdSpace', '_McdGeometry', '_McdGeometryInstance', '_McdModel',
     '_McdModelPair', '_McdModelPairContainer', 'McdModelPairManager', 'McdCullingTable', 'McdBatchContext', 'MeIDPool', 'MeChunk',
-    'MeTaskPool', 'MstMover',
+    'MeTaskPool', 'MstMover', 'MstVehicle',
 ]
 CONSTRAINTS = HANDLES[HANDLES.index('MdtBSJoint'):HANDLES.index('MdtBclLimit')]
 

@@ -62,6 +62,72 @@ static void fill_MstMoverParams(void *record, FuzzRandom *random) {
             *lengths[i] = (MeReal)fuzzReal(random);
 }
 
+static unsigned int count(FuzzRandom *random, unsigned int usual) {
+    return fuzzIsNasty(random) ? (unsigned int)fuzzInteger(random) : usual;
+}
+
+static void fillReals(MeReal *const reals[], int count, FuzzRandom *random) {
+    for (int i = 0; i < count; i++)
+        if (fuzzIsNasty(random))
+            *reals[i] = (MeReal)fuzzReal(random);
+}
+
+static void fillCurve(MstCurve *c, MeReal x, MeReal y, FuzzRandom *random) {
+    *c = (MstCurve){3, {{0, y / 2}, {x, y}, {2 * x, y / 2}}};
+    if (fuzzIsNasty(random))
+        c->count = (int)fuzzInteger(random);
+    if (fuzzIsNasty(random))
+        c->point[fuzzBelow(random, 3)].y = (MeReal)fuzzReal(random);
+}
+
+static void fill_MstVehicleParams(void *record, FuzzRandom *random) {
+    MstVehicleParams *p = record;
+    *p = (MstVehicleParams){.forward = {1, 0, 0},
+                            .up = {0, 0, 1},
+                            .cast = (MstVehicleCast)fuzzBelow(random, 4),
+                            .idle = 900,
+                            .redline = 6000,
+                            .gears = 2,
+                            .gear = {3, 1},
+                            .reverse = 3,
+                            .finalDrive = 4,
+                            .shiftUp = 5000,
+                            .shiftDown = 2000,
+                            .axleLock = (MeReal)fuzzBelow(random, 2),
+                            .steeringRate = 3,
+                            .leanLimit = (MeReal)fuzzBelow(random, 2),
+                            .leanFrequency = 2};
+    MeReal *const reals[] = {&p->forward[0],    &p->up[1],         &p->idle,      &p->redline,
+                             &p->engineInertia, &p->engineBraking, &p->gear[0],   &p->reverse,
+                             &p->finalDrive,    &p->shiftUp,       &p->shiftTime, &p->axleLock,
+                             &p->drag,          &p->steeringRate,  &p->leanLimit, &p->leanFrequency};
+    fillReals(reals, sizeof reals / sizeof *reals, random);
+    fillCurve(&p->torque, 3000, 200, random);
+    p->gears = (int)count(random, 2);
+}
+
+static void fill_MstWheelParams(void *record, FuzzRandom *random) {
+    MstWheelParams *p = record;
+    *p = (MstWheelParams){.position = {(MeReal)fuzzBelow(random, 3) - 1, (MeReal)fuzzBelow(random, 3) - 1, 0},
+                          .radius = (MeReal)0.3,
+                          .width = (MeReal)0.2,
+                          .inertia = 1,
+                          .bump = (MeReal)0.1,
+                          .frequency = (MeReal)1.5,
+                          .dampingRatio = (MeReal)0.4,
+                          .antiRoll = (MeReal)(1000 * fuzzBelow(random, 2)),
+                          .axle = (int)fuzzBelow(random, 2),
+                          .steering = (MeReal)(0.5 * (double)fuzzBelow(random, 2)),
+                          .drive = (MeReal)fuzzBelow(random, 2),
+                          .brake = 1000};
+    MeReal *const reals[] = {&p->position[0], &p->radius,    &p->width,     &p->inertia,      &p->bump,
+                             &p->droop,       &p->frequency, &p->stiffness, &p->antiRoll,     &p->steering,
+                             &p->drive,       &p->brake,     &p->handbrake, &p->dampingRatio, &p->rollingResistance};
+    fillReals(reals, sizeof reals / sizeof *reals, random);
+    fillCurve(&p->along, (MeReal)0.1, 1, random);
+    fillCurve(&p->across, (MeReal)0.1, 1, random);
+}
+
 static void fill_McdIterators(void *record, FuzzRandom *random) {
     int *numbers = record; /* all members are ints, or pointers that are null at the end */
     (void)random;
@@ -77,10 +143,6 @@ static void fill_MdtPartitionParams(void *record, FuzzRandom *random) {
     p->accrot_thresh = (MeReal)fuzzReal(random);
     p->alive_time = (MeReal)fuzzReal(random);
     p->alive_window = (int)fuzzInteger(random);
-}
-
-static unsigned int count(FuzzRandom *random, unsigned int usual) {
-    return fuzzIsNasty(random) ? (unsigned int)fuzzInteger(random) : usual;
 }
 
 static MeReal scale(FuzzRandom *random) {
@@ -151,6 +213,9 @@ const FuzzRecordType fuzzRecords[] = {
     RECORD(MstUniverseSizes, sizeof(MstUniverseSizes), fill_MstUniverseSizes)
     RECORD(MstMoverParams, sizeof(MstMoverParams), fill_MstMoverParams)
     RECORD(MstMoverResult, sizeof(MstMoverResult), fill_Nothing)
+    RECORD(MstVehicleParams, sizeof(MstVehicleParams), fill_MstVehicleParams)
+    RECORD(MstWheelParams, sizeof(MstWheelParams), fill_MstWheelParams)
+    RECORD(MstWheelState, sizeof(MstWheelState), fill_Nothing)
     RECORD(MstDebugDraw, sizeof(MstDebugDraw), fill_MstDebugDraw)
     /* clang-format on */
 };

@@ -41,7 +41,8 @@ static const struct {
     {"How it is solved", "Gyroscope AutoDisable Partitions MatrixCap SortKeys"},
     {"Surfaces", "Friction Slip Slide Materials Conveyor Marbles"},
     {"Piles", "Pyramid Dominoes CardHouse Arch Jenga Cradle Bowling Hulls Mesh Tumbler"},
-    {"Machines and figures", "Bridge Lift Gears Character WreckingBall Chair Ragdolls Car Quadbike Bullets"},
+    {"Machines and figures",
+     "Bridge Lift Gears Character WreckingBall Chair Ragdolls Car Vehicle Motorcycle Quadbike Bullets"},
 };
 enum { CATEGORIES = sizeof category / sizeof category[0] };
 

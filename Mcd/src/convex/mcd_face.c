@@ -42,7 +42,9 @@ static MeU64 featureOfPair(MeU32 a, MeU32 b) {
 
 /* For checks: the corners have different names and are counter-clockwise about the unit normal. */
 static MeBool isFaceGood(const McdShape *s, const McdFace *f) {
-    const double slack = 1e-9 * s->extent * s->extent;
+    const double rounding =
+        f->count > 0 ? 4e-16 * mcd_length(f->point[0]) : 0; /* of coordinates: may exceed a tiny shape */
+    const double slack = 1e-9 * s->extent * s->extent + 16 * rounding * (s->extent + rounding);
     for (int i = 0; i < f->count; i++)
         for (int j = 0; j < i; j++)
             if (f->name[i] == f->name[j])

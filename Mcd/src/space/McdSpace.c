@@ -48,9 +48,14 @@ MeBool mcd_spaceIsReady(McdSpaceID s, const char *function) {
         return MEFALSE;
     if (s->isFirstBlock && s->isUpdated && !areModelsGuarded(s))
         endBlock(s);
-    if (s->isChanging || s->isInner)
+    const MeBool isReady = s->allowsQueries || (!s->isChanging && !s->isInner);
+    if (!isReady)
         MeWarning(1, "%s: legal only outside change blocks: see McdSpaceEndChanges", function);
-    return !s->isChanging && !s->isInner;
+    return isReady;
+}
+
+void MEAPI McdSpaceAllowQueries(McdSpaceID s, MeBool on) {
+    s->allowsQueries = on;
 }
 
 /* The proxy of a model; null, with a warning: the model is in no space. */

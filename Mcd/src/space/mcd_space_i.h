@@ -111,7 +111,7 @@ struct _McdSpace {
     MeReal lookAhead; /* s */
     McdSpaceUpdateAABBFnPtr update;
     McdSpacePoolErrorFnPtr poolFull;
-    MeBool queriesHitSensors;
+    MeBool queriesHitSensors, allowsQueries; /* allowsQueries: in change blocks, too */
     void *userData;
     void *collider; /* see McdSpaceSetCollider */
 

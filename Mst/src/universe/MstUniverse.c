@@ -13,6 +13,7 @@
 #include "MeTeam.h"
 #include "step/mst_step_i.h"
 #include "universe/mst_universe_i.h"
+#include "vehicle/mst_vehicle_i.h"
 
 const MstUniverseSizes MstUniverseDefaultSizes = {100, 500, 0, 100, 500, 100, 10, 1, 1};
 const MstUniverseSizes MstUniverseGrowingSizes = {0, 0, 0, 0, 0, 0, 0, 1, 1};
@@ -67,6 +68,7 @@ MeBool mst_universeIsFree(MstUniverseID u, const char *function) {
 
 /* Destroys the members that exist: not all may have been created, and the program may have destroyed some. */
 static void destroyMembers(MstUniverse *u) {
+    mst_vehiclesDestroy(u);
     if (McdSpaceIsValid(u->space))
         McdSpaceDestroy(u->space);
     if (McdFrameworkIsValid(u->frame)) {
@@ -204,9 +206,12 @@ static void advance(MstUniverse *u, MeReal step) {
     MeTeamKeep(team);
     MdtWorldTakeImpulses(u->world, step);
     mst_followMoved(u->world, step);
+    mst_vehiclesFollow(u);
     updateBoxes(u->space, step);
     mst_updateContacts(bridge, u->space, u->world);
+    mst_vehiclesBegin(u, step);
     mst_stepWorld(u, step);
+    mst_vehiclesEnd(u);
     MEASSERT(bridge->substep == 0);
     MeTeamRelease(team);
     McdSpaceSetTeam(u->space, 0); /* the program may set another one until the next step */

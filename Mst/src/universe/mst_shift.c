@@ -12,6 +12,7 @@
 #include "MeMessage.h"
 #include "step/mst_step_i.h"
 #include "universe/mst_universe_i.h"
+#include "vehicle/mst_vehicle_i.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -105,6 +106,7 @@ static void shiftAll(Shift *s, const MstUniverse *u) {
     }
     shiftMatrices(s);
     mst_shiftMoved(u->world, s->by);
+    mst_vehiclesShift(u, s->by);
     shiftModels(s, u);
     shiftTouches((MstBridgeRecord *)u->bridge, s->by);
 }

@@ -1,0 +1,328 @@
+/* What drives a vehicle: engine, gears, differentials, brakes, steering; the forces of air and balance.
+ *
+ * A driven wheel takes a share of the engine's inertia while a gear is in: I + w G² I_engine, w its share of the
+ * torque, G the gear. The engine then turns as the mean of the wheels; below its idle speed the clutch slips. */
+#include "vehicle/mst_vehicle_i.h"
+#include "MdtBody.h"
+#include "MdtWorld.h"
+
+static const double turns = ME_PI / 30; /* rad/s of a turn per minute */
+
+static void fromReal(double out[3], const MeReal a[3]) {
+    for (int i = 0; i < 3; i++)
+        out[i] = (double)a[i];
+}
+
+/* A direction of the chassis in the world. */
+static void toWorld(MdtBodyID b, const double local[3], double world[3]) {
+    MdtKeaTransformation pose;
+    MdtBodyGetExactPose(b, &pose);
+    keaApply(world, (const double(*)[3])pose.R, local);
+}
+
+double mst_vehicleSpeed(const MstVehicle *v, MdtBodyID b) {
+    MeVector3 velocity;
+    double forward[3], along[3];
+    MdtBodyGetLinearVelocity(b, velocity);
+    toWorld(b, v->forward, forward);
+    fromReal(along, velocity);
+    return keaDot(along, forward);
+}
+
+/* ---- steering ---------------------------------------------------------------------------------------------------- */
+
+/* m: where a wheel is along the vehicle's forward and left axes. */
+static double placeOf(const MstWheel *w, const double axis[3]) {
+    return keaDot(w->position, axis);
+}
+
+/* The mean place along the vehicle, and the mean angle at full lock, of wheels that steer to the side, or of others. */
+static double meanPlace(const MstVehicle *v, MeBool steers, double *angle) {
+    double sum = 0;
+    int count = 0;
+    *angle = 0;
+    for (int i = 0; i < v->wheelCount; i++) {
+        const MstWheel *w = v->wheel[i];
+        if ((w->params.steering > 0) != (steers != 0))
+            continue;
+        sum += placeOf(w, v->forward);
+        *angle += (double)w->params.steering;
+        count++;
+    }
+    *angle /= count > 0 ? count : 1;
+    return count > 0 ? sum / count : 0;
+}
+
+/* 1/m: curvature of the curve on which the vehicle turns, and the place along it of the curve's centre. */
+static double curvatureOf(const MstVehicle *v, double lock, double *centre) {
+    double front, rear;
+    const double at = meanPlace(v, METRUE, &front), behind = meanPlace(v, MEFALSE, &rear);
+    const double a = tan(lock * front), b = tan(lock * rear), base = at - behind;
+    const double curvature = fabs(base) > 1e-9 ? (a - b) / base : 0;
+    *centre = behind - (fabs(curvature) > 1e-12 ? b / curvature : 0);
+    return curvature;
+}
+
+/* The lean of the chassis to the left, rad. */
+static double leanOf(const MstVehicle *v, MdtBodyID b, const double gravity[3]) {
+    double up[3], forward[3], level[3], left[3];
+    toWorld(b, v->up, up);
+    toWorld(b, v->forward, forward);
+    keaScale(level, -1, gravity);
+    keaCross(left, level, forward);
+    return atan2(keaDot(up, left), keaDot(up, level));
+}
+
+/* A motorcycle turns no more than it leans, and then some, for which the balance lets it lean more. */
+static double leanedCurvature(const MstVehicle *v, MdtBodyID b, double curvature, const double gravity[3]) {
+    static const double further = 0.1; /* rad */
+    const double speed = mst_vehicleSpeed(v, b), g = keaLength(gravity), lean = leanOf(v, b, gravity);
+    const double max = fmin((double)v->params.leanLimit, fmax(curvature > 0 ? lean : -lean, 0) + further);
+    const double limit = g * tan(max) / fmax(speed * speed, 1e-9);
+    return fmin(fmax(curvature, -limit), limit);
+}
+
+static void steer(MstVehicle *v, MdtBodyID b, const double gravity[3], double h) {
+    const double by = (double)v->params.steeringRate * h;
+    double centre;
+    v->lock += fmin(fmax(v->steering - v->lock, -by), by);
+    const double target = curvatureOf(v, v->lock, &centre);
+    const double curvature = v->params.leanLimit > 0 ? leanedCurvature(v, b, target, gravity) : target;
+    const double upright =
+        v->params.leanLimit > 0 ? fabs(cos(leanOf(v, b, gravity))) : 1; /* a wheel that leans turns more */
+    for (int i = 0; i < v->wheelCount; i++) {
+        MstWheel *w = v->wheel[i];
+        const double ahead = placeOf(w, v->forward) - centre, aside = placeOf(w, v->left);
+        w->steering =
+            w->params.steering != 0 ? atan(upright * curvature * ahead / fmax(1 - curvature * aside, 1e-3)) : 0;
+    }
+}
+
+/* ---- engine and gears -------------------------------------------------------------------------------------------- */
+
+/* Turns of the engine for one of the driven wheels, in a gear; 0: neutral. */
+static double ratioOfGear(const MstVehicle *v) {
+    const double last = (double)v->params.finalDrive;
+    return v->gear > 0   ? (double)v->params.gear[v->gear - 1] * last
+           : v->gear < 0 ? -(double)v->params.reverse * last
+                         : 0;
+}
+
+static double ratioOf(const MstVehicle *v) {
+    return v->shiftLeft > 0 ? 0 : ratioOfGear(v);
+}
+
+static double shareOf(const MstVehicle *v, const MstWheel *w) {
+    double sum = 0;
+    for (int i = 0; i < v->wheelCount; i++)
+        sum += (double)v->wheel[i]->params.drive;
+    return sum > 0 ? (double)w->params.drive / sum : 0;
+}
+
+static double spinOf(const MstWheel *w) {
+    return w->data ? w->data->spin : 0;
+}
+
+/* rad/s: the mean of the driven wheels. */
+static double drivenSpin(const MstVehicle *v) {
+    double sum = 0;
+    for (int i = 0; i < v->wheelCount; i++)
+        sum += shareOf(v, v->wheel[i]) * spinOf(v->wheel[i]);
+    return sum;
+}
+
+static void shift(MstVehicle *v, int gear) {
+    v->gear = gear;
+    v->shiftLeft = (double)v->params.shiftTime;
+}
+
+/* The automatic. Returns the throttle; what brakes instead is added to *brake. */
+static double chooseGear(MstVehicle *v, double speed, double *brake) {
+    static const double slow = 1; /* m/s: below it, the direction may change */
+    const double target = v->throttle, rpm = fabs(ratioOfGear(v) * drivenSpin(v)) / turns;
+    if (!v->isAutomatic)
+        return fmax(target, 0);
+    if (target != 0 && speed * target < 0 && fabs(speed) > slow) {
+        *brake = fmax(*brake, fabs(target));
+        return 0;
+    }
+    if (target < 0 && v->gear > 0)
+        shift(v, -1);
+    else if (target > 0 && v->gear < 0)
+        shift(v, 1);
+    else if (v->shiftLeft <= 0 && v->gear > 0 && v->gear < v->params.gears && rpm > (double)v->params.shiftUp)
+        shift(v, v->gear + 1);
+    else if (v->shiftLeft <= 0 && v->gear > 1 && rpm < (double)v->params.shiftDown)
+        shift(v, v->gear - 1);
+    return fabs(target);
+}
+
+/* N m, of the engine at its speed. */
+static double engineTorque(const MstVehicle *v, double throttle, MeBool isSlipping) {
+    const MstVehicleParams *p = &v->params;
+    const double rpm = v->engineSpeed / turns, redline = (double)p->redline;
+    const double drive = rpm < redline ? throttle * mst_curveAt(&p->torque, rpm) : 0;
+    return drive - (isSlipping ? 0 : (1 - throttle) * (double)p->engineBraking * rpm / redline);
+}
+
+static void turnFreely(MstVehicle *v, double throttle, double h) {
+    const double idle = (double)v->params.idle * turns, inertia = (double)v->params.engineInertia;
+    const double max = (double)v->params.redline * turns;
+    const double torque = engineTorque(v, v->shiftLeft > 0 ? 0 : throttle, MEFALSE);
+    v->engineSpeed += inertia > 0 ? h * torque / inertia : 0;
+    v->engineSpeed = fmin(fmax(v->engineSpeed, idle), max);
+}
+
+/* The torque of the engine at the driven wheels together. */
+static double driveTorque(MstVehicle *v, double throttle, double h) {
+    const double ratio = ratioOf(v), idle = (double)v->params.idle * turns;
+    if (ratio == 0) {
+        turnFreely(v, throttle, h);
+        return 0;
+    }
+    const double speed = ratio * drivenSpin(v);
+    v->engineSpeed = fmax(speed, idle);
+    return ratio * engineTorque(v, throttle, speed < idle);
+}
+
+/* ---- differentials ----------------------------------------------------------------------------------------------- */
+
+static MeBool isDriven(const MstWheel *w) {
+    return w->params.drive > 0;
+}
+
+/* Of the driven wheels of an axle, or of all: their inertia, torque, and the mean of their spins. */
+typedef struct Shaft {
+    double inertia, torque, spin;
+} Shaft;
+
+static Shaft shaftOf(const MstVehicle *v, int axle) {
+    Shaft s = {0, 0, 0};
+    for (int i = 0; i < v->wheelCount; i++) {
+        const MstWheel *w = v->wheel[i];
+        if (!isDriven(w) || (axle >= 0 && w->params.axle != axle))
+            continue;
+        s.inertia += w->inertia;
+        s.torque += w->torque;
+        s.spin += w->inertia * spinOf(w);
+    }
+    s.spin /= s.inertia > 0 ? s.inertia : 1;
+    return s;
+}
+
+/* N m: what a differential takes from something that turns faster than the mean, so that it turns as fast at the end of
+ * the step. */
+static double lockTorque(double inertia, double faster, double torque, double lock, double h) {
+    const double all = inertia * faster / h, max = lock * fabs(torque);
+    return lock >= 1 ? all : fmin(fmax(all, -max), max);
+}
+
+static void lockDifferentials(const MstVehicle *v, double h) {
+    const double axleLock = (double)v->params.axleLock, centreLock = (double)v->params.centreLock;
+    double by[MST_VEHICLE_WHEELS] = {0};
+    if (axleLock <= 0 && centreLock <= 0)
+        return;
+    const Shaft all = shaftOf(v, -1);
+    for (int i = 0; i < v->wheelCount; i++) {
+        const MstWheel *w = v->wheel[i];
+        if (!isDriven(w))
+            continue;
+        const Shaft axle = shaftOf(v, w->params.axle);
+        by[i] =
+            lockTorque(w->inertia, spinOf(w) - axle.spin, axle.torque / 2, axleLock, h) +
+            lockTorque(axle.inertia, axle.spin - all.spin, all.torque / 2, centreLock, h) * w->inertia / axle.inertia;
+    }
+    for (int i = 0; i < v->wheelCount; i++)
+        v->wheel[i]->torque -= by[i];
+}
+
+/* ---- forces on the chassis --------------------------------------------------------------------------------------- */
+
+/* Implicit in the step, so that it never turns the motion back. */
+static void resistAir(const MstVehicle *v, MdtBodyID b, double h) {
+    MeVector3 velocity;
+    MdtBodyGetLinearVelocity(b, velocity);
+    const double rate = (double)v->params.drag * (double)MeVector3Magnitude(velocity);
+    const MeReal by = (MeReal)(-rate / (1 + h * rate / (double)MdtBodyGetMass(b)));
+    if (by < 0)
+        MdtBodyAddForce(b, by * velocity[0], by * velocity[1], by * velocity[2]);
+}
+
+/* kg m²: of the chassis about the line on which the wheels stand. */
+static double rollInertia(const MstVehicle *v, MdtBodyID b) {
+    MeMatrix3 tensor;
+    MeVector3 centre;
+    double c[3], height = 0, sum = 0;
+    MdtBodyGetInertiaTensor(b, tensor);
+    MdtBodyGetCenterOfMassRelativePosition(b, centre);
+    fromReal(c, centre);
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            sum += v->forward[i] * (double)tensor[i][k] * v->forward[k];
+    for (int i = 0; i < v->wheelCount; i++)
+        height += (keaDot(c, v->up) - placeOf(v->wheel[i], v->up) + (double)v->wheel[i]->params.radius) / v->wheelCount;
+    return sum + (double)MdtBodyGetMass(b) * height * height;
+}
+
+/* The wheel whose joint carries the balance: one that does not steer, so that it looks ahead; null: none. */
+static MstWheel *balancingWheel(const MstVehicle *v) {
+    for (int i = 0; i < v->wheelCount; i++)
+        if (v->wheel[i]->params.steering == 0 && v->wheel[i]->data)
+            return v->wheel[i];
+    return 0;
+}
+
+/* Moves the lean that the balance keeps towards a target, no faster than tyres can bear: what leans over pushes them
+ * aside. */
+static void moveLean(MstVehicle *v, double target, double h) {
+    static const double frequency = 6, maxAcceleration = 4; /* rad/s, rad/s² */
+    const double all = frequency * frequency * (target - v->lean - h * v->leanRate) - 2 * frequency * v->leanRate;
+    const double acceleration = all / (1 + 2 * frequency * h + frequency * frequency * h * h);
+    v->leanRate += h * fmin(fmax(acceleration, -maxAcceleration), maxAcceleration);
+    v->lean += h * v->leanRate;
+}
+
+/* A damped spring to the lean at which gravity and the curve are in balance. */
+static void balance(MstVehicle *v, MdtBodyID b, const double gravity[3], double h) {
+    double centre;
+    MstWheel *w = v->params.leanLimit > 0 && keaLength(gravity) > 0 ? balancingWheel(v) : 0;
+    if (!w)
+        return;
+    const double limit = (double)v->params.leanLimit, speed = mst_vehicleSpeed(v, b);
+    const double curvature = curvatureOf(v, v->lock, &centre);
+    const double target = fmin(fmax(atan(speed * speed * curvature / keaLength(gravity)), -limit), limit);
+    const double rate = 2 * ME_PI * (double)v->params.leanFrequency, inertia = rollInertia(v, b);
+    moveLean(v, target, h);
+    w->data->lean = leanOf(v, b, gravity) - v->lean;
+    w->data->leanRate = v->leanRate;
+    w->data->leanStiffness = inertia * rate * rate;
+    w->data->leanDamping = 2 * inertia * rate;
+}
+
+/* ---- the step ---------------------------------------------------------------------------------------------------- */
+
+static void turnWheels(MstVehicle *v, double torque, double brake, double h) {
+    const double ratio = ratioOf(v), inertia = ratio * ratio * (double)v->params.engineInertia;
+    for (int i = 0; i < v->wheelCount; i++) {
+        MstWheel *w = v->wheel[i];
+        const double share = shareOf(v, w), load = w->data ? w->data->load : 0;
+        w->torque = share * torque;
+        w->inertia = (double)w->params.inertia + share * inertia;
+        w->brake = brake * (double)w->params.brake + v->handbrake * (double)w->params.handbrake +
+                   (double)w->params.rollingResistance * load * (double)w->params.radius;
+    }
+    lockDifferentials(v, h);
+}
+
+void mst_vehicleDrive(MstVehicle *v, MdtBodyID b, double h) {
+    MeVector3 g;
+    double gravity[3], brake = v->brake;
+    MdtWorldGetGravity(v->universe->world, g);
+    fromReal(gravity, g);
+    v->shiftLeft = fmax(v->shiftLeft - h, 0);
+    steer(v, b, gravity, h);
+    const double throttle = chooseGear(v, mst_vehicleSpeed(v, b), &brake);
+    turnWheels(v, driveTorque(v, throttle, h), brake, h);
+    resistAir(v, b, h);
+    balance(v, b, gravity, h);
+}
