@@ -35,12 +35,13 @@ static void reset(MdtBclConstraint *c) {
 typedef struct Wheel {
     double s[3], n[3], x[3], y[3], q[3];
     double slope, length; /* n·s, L */
+    MeBool isFar;         /* of a trial pose that is no wheel's: nothing acts */
 } Wheel;
 
 /* reach, m: lever arms are no longer than that allows, where trial poses are far from the ground. */
 static void measureAt(const MdtBclFrame frame[2], double d, MdtBclWheelShape shape, double reach,
                       const MdtKeaTransformation *const pose[2], Wheel *w) {
-    static const double minSlope = 0.05;
+    static const double minSlope = 0.05, farthest = 1e3;
     double f[3], axle[3], p[3], from[3], t[3];
     keaApply(w->s, pose[0]->R, frame[0].primary);
     keaApply(f, pose[0]->R, frame[0].ortho);
@@ -52,6 +53,7 @@ static void measureAt(const MdtBclFrame frame[2], double d, MdtBclWheelShape sha
     keaSubtract(from, w->q, p);
     w->slope = fmax(keaDot(w->n, w->s), minSlope);
     w->length = (keaDot(w->n, from) - d) / w->slope;
+    w->isFar = !(fabs(w->length) < farthest * reach);
     keaAddScaled(w->q, -fmin(fmax(w->length, -reach), reach), w->s);
     keaCross(axle, w->s, f);
     keaCopy(t, shape == MdtBclWheelRay ? w->s : w->n);
@@ -78,7 +80,7 @@ static void groundRow(const MdtBclContext *x, const Wheel *w, const double direc
     bcl_startRow(row, x);
     for (int k = 0; k < 2; k++) {
         keaSubtract(row->arm[k], w->q, x->pose[k]->pos);
-        keaScale(row->J[k].lin, k == 0 ? factor : -factor, direction);
+        keaScale(row->J[k].lin, w->isFar ? 0 : k == 0 ? factor : -factor, direction);
         keaCross(row->J[k].ang, row->arm[k], row->J[k].lin);
     }
 }
