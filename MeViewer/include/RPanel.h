@@ -8,7 +8,9 @@
  *      }
  *      RPanelCreate(rc, "Moon", show, 0);
  *
- *  F9 shows and hides all panels; in the viewer's own panel, "Viewer", the user selects which ones are visible. A panel
+ *  Panels are the sections of a column at the right edge of the window, which scrolls; the scene is drawn in what is left
+ *  of the window. F9 shows and hides all panels; in the viewer's own panel, "Viewer", the user selects which ones are
+ *  visible. A panel
  *  is owned by its context. Its callback is called in every frame in which the panel is visible, before or after the
  *  tick but never during it; it may change the simulation, but neither destroy the context (which gets a warning) nor
  *  end the program. All functions RPanel..., except RPanelCreate, RPanelDestroy and RPanelShow, may only be called by
@@ -38,8 +40,9 @@ MEPUBLIC void MEAPI RPanelShow(RRender *rc, const char *title, MeBool shown);
 
 /** @name Output
  *  @{ */
+/** Text, wrapped to the width of the column. */
 MEPUBLIC void MEAPI RPanelText(const char *text);
-/** Text wrapped to the width of a list. */
+/** The same. */
 MEPUBLIC void MEAPI RPanelWrapped(const char *text);
 MEPUBLIC void MEAPI RPanelHeading(const char *text);
 /** Places the next item beside the last one. */
@@ -48,7 +51,7 @@ MEPUBLIC void MEAPI RPanelSameLine(void);
  * value if
  * @a high is not above 0. */
 MEPUBLIC void MEAPI RPanelPlot(const char *label, const float *values, int count, float high, const char *unit);
-/** A texture (RRenderTextureCreate); width and height in units of a line's height. */
+/** A texture (RRenderTextureCreate); width and height in units of a line's height, smaller if the column is narrower. */
 MEPUBLIC void MEAPI RPanelPicture(int texture, AcmeReal width, AcmeReal height);
 /** Begins a scrollable list, @a lines high; the following items are in it, until RPanelListEnd. */
 MEPUBLIC void MEAPI RPanelListBegin(const char *name, int lines);

@@ -160,7 +160,7 @@ bool r_barIsShown(const RRender *rc) {
 void r_barDraw(RRender *rc) {
     const RPerformanceBar *bar = rc->m_pPerformanceBar;
     const struct RViewer *v = rc->m_pViewer;
-    const float w = (float)v->width, h = (float)v->height, scale = r_uiScale(rc);
+    const float w = (float)r_sceneWidth(rc), h = (float)v->height, scale = r_uiScale(rc);
     const float size = fminf(11.5f * scale, 0.94f * w / 42);
     const float left = (0.5f + 0.5f * barLeft) * w, top = (0.5f - 0.5f * barTop) * h;
     const float width = 0.5f * barWidth * w, height = fmaxf(0.5f * barHeight * h, 3);

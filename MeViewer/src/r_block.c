@@ -36,7 +36,7 @@ static void uprightToCamera(const RRender *rc, MeMatrix4 out) {
 
 static void fillCamera(const RRender *rc, RFrameBlock *b) {
     const RCamera *c = &rc->m_pViewer->camera;
-    const float width = (float)rc->m_pViewer->width, height = (float)rc->m_pViewer->height;
+    const float width = (float)r_sceneWidth(rc), height = (float)rc->m_pViewer->height;
     const float slope = c->orthographic ? 0 : tanf(rc->m_CameraFov / 2);
     MeMatrix4 camera;
     uprightToCamera(rc, camera);
@@ -51,6 +51,7 @@ static void fillCamera(const RRender *rc, RFrameBlock *b) {
     b->viewport[0] = width;
     b->viewport[1] = height;
     b->viewport[2] = 1.7f * fmaxf(r_uiScale(rc), 1);
+    b->viewport[3] = (float)rc->m_pViewer->width;
 }
 
 /* The direction to the light, of length 1; straight up for a direction without length. */

@@ -363,7 +363,7 @@ void r_cameraDolly(RRender *rc, AcmeReal factor) {
 /* The point under the pointer, in the plane through the look-at point that faces the camera, stays under it. */
 void r_cameraDollyAt(RRender *rc, AcmeReal factor, int x, int y) {
     const AcmeReal perPixel = visibleHeight(rc) / (AcmeReal)rc->m_pViewer->height;
-    const AcmeReal right = (AcmeReal)x - (AcmeReal)rc->m_pViewer->width / 2;
+    const AcmeReal right = (AcmeReal)x - (AcmeReal)r_sceneWidth(rc) / 2;
     const AcmeReal up = (AcmeReal)rc->m_pViewer->height / 2 - (AcmeReal)y;
     pan(rc, (1 - factor) * right * perPixel, (1 - factor) * up * perPixel, 0);
     r_cameraDolly(rc, factor);
@@ -471,7 +471,7 @@ void MEAPI RRenderUpdateProjectionMatrices(RRender *rc) {
     if (!r_isContext(rc, __func__))
         return;
     const struct RViewer *v = rc->m_pViewer;
-    const MeReal aspect = (MeReal)v->width / (MeReal)v->height;
+    const MeReal aspect = (MeReal)r_sceneWidth(rc) / (MeReal)v->height;
     memset(rc->m_ProjectionMatrix, 0, sizeof rc->m_ProjectionMatrix);
     if (v->camera.orthographic)
         orthographicMatrix(rc, aspect, rc->m_ProjectionMatrix);
@@ -484,6 +484,6 @@ void MEAPI RCalculatePortalCoordinates(RRender *rc, AcmeReal width, AcmeReal hei
     if (!r_isContext(rc, __func__) || !r_isSize(width, __func__, "width") || !r_isSize(height, __func__, "height") ||
         !r_isPointer(portalx, __func__, "portalx") || !r_isPointer(portaly, __func__, "portaly"))
         return;
-    *portalx = width * ((AcmeReal)x / (AcmeReal)rc->m_pViewer->width - 0.5f);
+    *portalx = width * ((AcmeReal)x / (AcmeReal)r_sceneWidth(rc) - 0.5f);
     *portaly = height * (0.5f - (AcmeReal)y / (AcmeReal)rc->m_pViewer->height);
 }

@@ -210,9 +210,10 @@ static void drawPicture(RRender *rc, RDraw *d) {
     gl->UseProgram(d->programs[rProgramResolve]);
     gl->Uniform1f(gl->GetUniformLocation(d->programs[rProgramResolve], "uHasAmbient"), ambient ? 1 : 0);
     gl->BindFramebuffer(GL_FRAMEBUFFER, d->picture.frame);
-    gl->Viewport(0, 0, d->width, d->height);
+    gl->Viewport(0, 0, d->sceneWidth, d->height);
     gl->BindTexture(GL_TEXTURE_2D, d->linear.color);
     drawFull(d, rProgramResolve);
+    gl->Viewport(0, 0, d->width, d->height);
     blend(gl, true);
     r_overlayDraw(rc, d);
     blend(gl, false);
@@ -233,7 +234,7 @@ void r_drawFrame(RRender *rc) {
     RDraw *d = v->draw;
     if (!v->backend->makeCurrent(rc)) /* There may be another context. */
         return;
-    if (!r_targetsResize(d, v->width, v->height, r_qualityLevel(rc))) {
+    if (!r_targetsResize(d, v->width, v->height, r_sceneWidth(rc), r_qualityLevel(rc))) {
         if (!d->warned)
             MeWarning(1, "MeViewer: OpenGL has no room for a picture of %dx%d", v->width, v->height);
         d->warned = true;

@@ -124,7 +124,7 @@ typedef struct {
     float eye[4];                                       /* xyz; w: 1 with perspective, 0 without. */
     float back[4];                                      /* Towards the viewer. */
     float right[4], up[4];                              /* Half of what is seen at distance 1; 0 without perspective. */
-    float viewport[4];                                  /* Width, height, line width (pixels). */
+    float viewport[4];                                  /* Pixels: width and height of the scene, width of lines and of the picture. */
     float sky[4], bounce[4];                            /* Ambient light from above and from below. */
     float keyDirection[4], keyColor[4], keySpecular[4]; /* Directions point to the light. */
     float fillDirection[4], fillColor[4], fillSpecular[4];
@@ -222,7 +222,8 @@ typedef struct RDraw {
     RTarget shadow;              /* Depth from the key light. */
     RTarget below;               /* Depth from below. */
     RTarget occlusion;           /* How much sky the ground sees. */
-    int width, height;           /* Of the picture. */
+    int width, height;           /* Of the picture, */
+    int sceneWidth;              /* of which the scene has so much. */
     int drawnWidth, drawnHeight; /* Of the two before it. */
     int level;                   /* Of quality; -1 before the first picture. */
     int frame;
@@ -234,7 +235,7 @@ typedef struct RDraw {
 
 /* r_target.c */
 /* To a picture's size and a level of quality; false if there is no room. */
-bool r_targetsResize(RDraw *d, int width, int height, int level);
+bool r_targetsResize(RDraw *d, int width, int height, int sceneWidth, int level);
 void r_targetsStart(RDraw *d);
 void r_targetsStop(RDraw *d);
 

@@ -26,7 +26,7 @@ static void drawText2D(const RRender *rc, const RGraphic *rg) {
     float color[4];
     memcpy(color, rg->m_pObject->m_ColorDiffuse, sizeof color);
     color[3] = opaque(color[3]);
-    const float x = (0.5f + 0.5f * rg->m_pPart->x) * (float)v->width;
+    const float x = (0.5f + 0.5f * rg->m_pPart->x) * (float)r_sceneWidth(rc);
     const float y = (0.5f - 0.5f * rg->m_pPart->y) * (float)v->height;
     r_uiText(roundf(x), roundf(y + 0.93f * size), size, 0, rTextOutlined, color, rg->m_pPart->text);
 }
@@ -34,6 +34,7 @@ static void drawText2D(const RRender *rc, const RGraphic *rg) {
 static void drawTriangles2D(RRender *rc, RGraphic *rg) {
     const struct RViewer *v = rc->m_pViewer;
     const RObjectHeader *o = rg->m_pObject;
+    const float width = (float)r_sceneWidth(rc);
     float m[16];
     if (!r_graphicTransform(rg, m))
         return;
@@ -47,7 +48,7 @@ static void drawTriangles2D(RRender *rc, RGraphic *rg) {
             const RObjectVertex *p = &rg->m_pVertices[i + k];
             const float x = p->m_X * m[0] + p->m_Y * m[4] + p->m_Z * m[8] + m[12];
             const float y = p->m_X * m[1] + p->m_Y * m[5] + p->m_Z * m[9] + m[13];
-            t[k] = (RCorner){(0.5f + 0.5f * x) * (float)v->width, (0.5f - 0.5f * y) * (float)v->height, p->m_U, p->m_V};
+            t[k] = (RCorner){(0.5f + 0.5f * x) * width, (0.5f - 0.5f * y) * (float)v->height, p->m_U, p->m_V};
         }
         r_uiTriangle(t, o->m_nTextureID, color);
     }
@@ -112,7 +113,7 @@ static void drawLabels(RRender *rc) {
 static void drawPauseSign(const RRender *rc) {
     static const float faint[4] = {0.09f, 0.11f, 0.14f, 0.55f};
     const float scale = r_uiScale(rc), width = 9 * scale, height = 30 * scale;
-    const float x = (float)rc->m_pViewer->width / 2, y = 16 * scale;
+    const float x = (float)r_sceneWidth(rc) / 2, y = 16 * scale;
     r_uiBox(x - 2 * width, y - 8 * scale, 4 * width, height + 16 * scale, 8 * scale, faint);
     r_uiBox(x - 1.25f * width, y, width, height, 2 * scale, r_white);
     r_uiBox(x + 0.25f * width, y, width, height, 2 * scale, r_white);
@@ -125,7 +126,6 @@ void r_overlayFree(ROverlay *overlay) {
 }
 
 static bool drawAll(RRender *rc, ROverlay *overlay) {
-    rc->m_pViewer->panelMoved = false;
     r_panelsBegin(rc);
     r_marksDraw(rc);
     draw2DList(rc);
@@ -139,10 +139,10 @@ static bool drawAll(RRender *rc, ROverlay *overlay) {
     r_panelsDraw(rc);
     if (rc->m_bShowHelp)
         r_helpDraw(rc, &rc->m_pViewer->helpLayout);
-    return r_panelsEnd(rc, overlay) && !rc->m_pViewer->panelMoved;
+    return r_panelsEnd(rc, overlay);
 }
 
-/* Off-screen there may be one picture only: a panel that is new in it has to be measured, and put, before. */
+/* Off-screen there may be one picture only: a list that opens in it has to be measured before. */
 void r_hudDraw(RRender *rc, ROverlay *overlay) {
     enum { TRIES = 3 };
     rc->m_pViewer->overlaying = true;

@@ -302,10 +302,12 @@ void r_uiTriangle(const RCorner corners[3], int texture, const float color[4]);
 void r_uiLine(const float start[2], const float end[2], const float color[4], float width);
 void r_uiFixedWindow(const char *name, float x, float y, float width, float height);
 void r_uiWindowEnd(void);
-/* Its upper left corner is put at x, y, or stays; false if it is folded. The end is due in any case. */
-bool r_uiPanel(const char *title, float x, float y, bool put, bool *shown);
-void r_uiPanelEnd(float *right, float *bottom);
-void r_uiPanelMove(const char *title, float x, float y, float *right, float *bottom); /* After its end. */
+/* The place of panels, which scrolls. */
+void r_uiDock(float x, float y, float width, float height);
+void r_uiDockEnd(void);
+/* A section of the dock; a new one is scrolled to. False if it is folded. The end is due in any case. */
+bool r_uiPanel(const char *title, bool isNew, bool *shown);
+void r_uiPanelEnd(void);
 /* A slider with its value beside the label; logarithmic: low is above 0. */
 bool r_uiSlider(const char *label, MeReal *value, MeReal low, MeReal high, const char *unit, bool logarithmic);
 bool r_uiClicked(const char *name, float x, float y, float width, float height);
@@ -347,12 +349,13 @@ typedef struct {
     void *userdata;
     bool shown;  /* When F9 shows panels. */
     bool pinned; /* RPanelShow: also when it does not. */
-    int seen;    /* Pictures, up to those in which it finds its size and place. */
+    int drawnIn; /* The last frame in which it was visible. */
 } RPanel;
 typedef R_ARRAY(RPanel) RPanelList;
 
 void r_marksDraw(RRender *rc); /* r_mark.c */
 void r_panelsDraw(RRender *rc);
+int r_sceneWidth(const RRender *rc); /* Pixels from the left edge: what panels, which are at the right, leave. */
 bool r_tickIsDue(const RRender *rc); /* In slow motion, not in every frame. */
 void r_panelsToggle(RRender *rc);
 void r_panelListFree(RPanelList *list);
@@ -526,8 +529,7 @@ struct RViewer {
     void *markData;
     bool marking;            /* It is being called. */
     bool overlaying;         /* A panel or marks may be called: the context has to stay. */
-    int ownPanelSeen;        /* As RPanel::seen, of the viewer's own. */
-    bool panelMoved;         /* After it was drawn: the picture has it where it is no longer. */
+    int dockDrawnIn;         /* The last frame in which there was any panel. */
     bool panelsShown;        /* F9. */
     int slow;                /* The tick is called in one of so many frames, or so many times less often; 0 is 1. */
     AcmeReal tickRate;       /* Ticks in a second, without the option. */

@@ -39,7 +39,7 @@ static float nearest(const RRender *rc) {
 static void toPixel(const RRender *rc, const float c[3], float pixel[2]) {
     const MeVector4 *P = (const MeVector4 *)rc->m_ProjectionMatrix;
     const float w = c[2] * (float)P[2][3] + (float)P[3][3];
-    pixel[0] = (0.5f + 0.5f * c[0] * (float)P[0][0] / w) * (float)rc->m_pViewer->width;
+    pixel[0] = (0.5f + 0.5f * c[0] * (float)P[0][0] / w) * (float)r_sceneWidth(rc);
     pixel[1] = (0.5f - 0.5f * c[1] * (float)P[1][1] / w) * (float)rc->m_pViewer->height;
 }
 

@@ -182,29 +182,35 @@ static void showViewer(RRender *rc) {
         check(v->panelList.items[i].title, &v->panelList.items[i].shown);
 }
 
-/* Where the next panel that is new is put: below the one before, or in the next column. */
-typedef struct {
-    float x, y, right;
-} Place;
+/* ---- The dock: a column at the right edge of the window ---- */
 
-/* One panel: its size is known after its first picture, so that it is put in two. False if the user has closed it. */
-static bool drawPanel(RRender *rc, Place *place, const char *title, int *seen, RPanelCallBack func, void *userdata) {
-    enum { FINDS_ITS_SIZE = 2 };
-    const float scale = r_uiScale(rc), gap = 10 * scale;
+static bool isVisible(const RRender *rc, const RPanel *p) {
+    return p->pinned || (p->shown && rc->m_pViewer->panelsShown);
+}
+
+static bool hasVisible(const RRender *rc) {
+    const struct RViewer *v = rc->m_pViewer;
+    bool has = v->panelsShown;
+    for (size_t i = 0; i < v->panelList.count; i++)
+        has |= isVisible(rc, &v->panelList.items[i]);
+    return has && v->panels && !rc->m_bShowHelp;
+}
+
+int r_sceneWidth(const RRender *rc) {
+    const int width = rc->m_pViewer->width, dock = (int)lroundf(288 * r_uiScale(rc));
+    return hasVisible(rc) ? width - (dock < width / 2 ? dock : width / 2) : width;
+}
+
+/* What is opened while others are there may be below them. */
+static bool isNew(const struct RViewer *v, int drawnIn) {
+    return drawnIn < v->loop.frames - 1 && v->dockDrawnIn >= v->loop.frames - 1;
+}
+
+static bool drawPanel(RRender *rc, const char *title, bool isNewlyShown, RPanelCallBack func, void *userdata) {
     bool shown = true;
-    float right, bottom;
-    if (r_uiPanel(title, place->x, place->y, *seen < FINDS_ITS_SIZE, &shown))
+    if (r_uiPanel(title, isNewlyShown, &shown))
         func(rc, userdata);
-    r_uiPanelEnd(&right, &bottom);
-    if (bottom > (float)rc->m_pViewer->height && place->y > 40 * scale && *seen < FINDS_ITS_SIZE) {
-        place->x = place->right + gap;
-        place->y = 30 * scale;
-        r_uiPanelMove(title, place->x, place->y, &right, &bottom);
-        rc->m_pViewer->panelMoved = true;
-    }
-    *seen += *seen < FINDS_ITS_SIZE;
-    place->y = bottom + gap;
-    place->right = fmaxf(place->right, right);
+    r_uiPanelEnd();
     return shown;
 }
 
@@ -213,24 +219,29 @@ static void MEAPI drawOwn(RRender *rc, void *userdata) {
     showViewer(rc);
 }
 
-/* The viewer's own stands at the right edge, the others at the left one, below the place of the bar. */
+/* The item of the list is copied: a panel may create or destroy others. */
+static void drawListed(RRender *rc, size_t i) {
+    RPanelList *list = &rc->m_pViewer->panelList;
+    const RPanel p = list->items[i];
+    const bool shown = drawPanel(rc, p.title, isNew(rc->m_pViewer, p.drawnIn), p.func, p.userdata);
+    if (i >= list->count || list->items[i].title != p.title)
+        return;
+    list->items[i].drawnIn = rc->m_pViewer->loop.frames;
+    if (!shown)
+        list->items[i].shown = list->items[i].pinned = false;
+}
+
 void r_panelsDraw(RRender *rc) {
     struct RViewer *v = rc->m_pViewer;
-    if (rc->m_bShowHelp)
+    if (!hasVisible(rc))
         return;
-    const float scale = r_uiScale(rc);
-    Place own = {.x = (float)v->width - 300 * scale, .y = 30 * scale}, place = {.x = 10 * scale, .y = 60 * scale};
+    const float left = (float)r_sceneWidth(rc);
+    r_uiDock(left, 0, (float)v->width - left, (float)v->height);
     if (v->panelsShown)
-        v->panelsShown = drawPanel(rc, &own, "Viewer", &v->ownPanelSeen, drawOwn, NULL);
-    for (size_t i = 0; i < v->panelList.count; i++) { /* A panel may create or destroy others. */
-        RPanel p = v->panelList.items[i];
-        if (!p.pinned && !(p.shown && v->panelsShown))
-            continue;
-        const bool shown = drawPanel(rc, &place, p.title, &p.seen, p.func, p.userdata);
-        if (i >= v->panelList.count || v->panelList.items[i].title != p.title)
-            continue; /* It has been destroyed. */
-        v->panelList.items[i].seen = p.seen;
-        if (!shown)
-            v->panelList.items[i].shown = v->panelList.items[i].pinned = false;
-    }
+        v->panelsShown = drawPanel(rc, "Viewer", false, drawOwn, NULL);
+    for (size_t i = 0; i < v->panelList.count; i++)
+        if (isVisible(rc, &v->panelList.items[i]))
+            drawListed(rc, i);
+    r_uiDockEnd();
+    v->dockDrawnIn = v->loop.frames;
 }

@@ -403,6 +403,8 @@ bool r_panelsHandle(RRender *rc, const REvent *e) {
 
 /* ---- Windows ---- */
 
+static const float itemWidth = 9, listWidth = 16; // Of the dock, in heights of a line.
+
 void r_uiFixedWindow(const char *name, float x, float y, float width, float height) {
     ImGui::SetNextWindowPos(ImVec2(x, y));
     ImGui::SetNextWindowSize(ImVec2(width, height));
@@ -413,29 +415,38 @@ void r_uiFixedWindow(const char *name, float x, float y, float width, float heig
     ImGui::PopStyleVar();
 }
 
-bool r_uiPanel(const char *title, float x, float y, bool put, bool *shown) {
-    if (put)
-        ImGui::SetNextWindowPos(ImVec2(x, y));
-    ImGui::SetNextWindowSizeConstraints(ImVec2(0, 0), ImGui::GetIO().DisplaySize);
-    const bool open = ImGui::Begin(title, shown,
-                                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
-                                       ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
-    ImGui::PushItemWidth(11 * ImGui::GetFontSize());
-    return open;
+void r_uiDock(float x, float y, float width, float height) {
+    ImGui::SetNextWindowPos(ImVec2(x, y));
+    ImGui::SetNextWindowSize(ImVec2(width, height));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(r_panel[0], r_panel[1], r_panel[2], 1));
+    ImGui::Begin("dock", nullptr,
+                 ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                     ImGuiWindowFlags_AlwaysVerticalScrollbar | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
+                     ImGuiWindowFlags_NoBringToFrontOnFocus);
+    ImGui::PopStyleColor();
+    ImGui::PopStyleVar(2);
+    ImGui::PushItemWidth(itemWidth * ImGui::GetFontSize());
 }
 
-void r_uiPanelEnd(float *right, float *bottom) {
-    *right = ImGui::GetWindowPos().x + ImGui::GetWindowWidth();
-    *bottom = ImGui::GetWindowPos().y + ImGui::GetWindowHeight();
+void r_uiDockEnd(void) {
     ImGui::PopItemWidth();
     ImGui::End();
 }
 
-void r_uiPanelMove(const char *title, float x, float y, float *right, float *bottom) {
-    ImGuiWindow *window = ImGui::FindWindowByName(title);
-    ImGui::SetWindowPos(window, ImVec2(x, y));
-    *right = x + window->Size.x;
-    *bottom = y + window->Size.y;
+bool r_uiPanel(const char *title, bool isNew, bool *shown) {
+    ImGui::PushID(title);
+    const bool open = ImGui::CollapsingHeader(title, shown, ImGuiTreeNodeFlags_DefaultOpen);
+    if (isNew)
+        ImGui::SetScrollHereY(0);
+    return open;
+}
+
+void r_uiPanelEnd(void) {
+    ImGui::PopID();
+    ImGui::Spacing();
 }
 
 void r_uiWindowEnd(void) {
@@ -453,7 +464,29 @@ float r_uiMouseX(void) {
 
 /* ---- What a panel shows (RPanel.h) ---- */
 
-static const float listWidth = 16; // Heights of a line.
+/* The width of the dock is left, if that is less. */
+static float widthUpTo(float lines) {
+    return fminf(lines * ImGui::GetFontSize(), ImGui::GetContentRegionAvail().x);
+}
+
+/* A label that has no room beside its item stands above it. Returns what the item is to be called; lives until the next
+ * call. */
+static const char *labelBeside(const char *label) {
+    static ImVector<char> hidden;
+    const char *end = ImGui::FindRenderedTextEnd(label);
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcItemWidth() - ImGui::GetStyle().ItemInnerSpacing.x;
+    if (ImGui::CalcTextSize(label, end).x <= room)
+        return label;
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextUnformatted(label, end);
+    ImGui::PopTextWrapPos();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    const size_t length = strlen(label);
+    hidden.resize(static_cast<int>(length) + 3);
+    memcpy(hidden.Data, "##", 2);
+    memcpy(hidden.Data + 2, label, length + 1);
+    return hidden.Data;
+}
 
 /* A panel's callback is running. */
 static bool inPanel(const char *function) {
@@ -472,16 +505,15 @@ void MEAPI RPanelText(const char *text) {
     const char *end;
     if (canShow(__func__, text, "text")) {
         const char *begin = utf8(text, &end);
+        ImGui::PushTextWrapPos(0);
         ImGui::TextUnformatted(begin, end);
+        ImGui::PopTextWrapPos();
     }
 }
 
 void MEAPI RPanelWrapped(const char *text) {
-    if (!canShow(__func__, text, "text"))
-        return;
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + listWidth * ImGui::GetFontSize());
-    RPanelText(text);
-    ImGui::PopTextWrapPos();
+    if (canShow(__func__, text, "text"))
+        RPanelText(text);
 }
 
 void MEAPI RPanelHeading(const char *text) {
@@ -509,7 +541,8 @@ bool r_uiSlider(const char *label, MeReal *value, MeReal low, MeReal high, const
     float shown = static_cast<float>(*value);
     ImFormatString(format, sizeof format, "%%.4g %.32s", unit ? unit : "");
     const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
-    if (!ImGui::SliderFloat(label, &shown, static_cast<float>(low), static_cast<float>(high), format, flags))
+    if (!ImGui::SliderFloat(labelBeside(label), &shown, static_cast<float>(low), static_cast<float>(high), format,
+                            flags))
         return false;
     *value = static_cast<MeReal>(shown);
     return true;
@@ -532,19 +565,19 @@ MeBool MEAPI RPanelWhole(const char *label, int *value, int low, int high) {
         MeWarning(1, "%s: low is %d and high is %d", __func__, low, high);
         return MEFALSE;
     }
-    return ImGui::SliderInt(label, value, low, high, "%d", ImGuiSliderFlags_AlwaysClamp);
+    return ImGui::SliderInt(labelBeside(label), value, low, high, "%d", ImGuiSliderFlags_AlwaysClamp);
 }
 
 MeBool MEAPI RPanelChoice(const char *label, int *which, const char *const names[], int count) {
     if (!canShow(__func__, label, "label") || !r_isPointer(which, __func__, "which") ||
         !r_isPointer(names, __func__, "names"))
         return MEFALSE;
-    return ImGui::Combo(label, which, names, count);
+    return ImGui::Combo(labelBeside(label), which, names, count);
 }
 
 MeBool MEAPI RPanelEdit(const char *label, char *text, int size) {
     return canShow(__func__, label, "label") && r_isPointer(text, __func__, "text") && size > 1 &&
-           ImGui::InputText(label, text, static_cast<size_t>(size));
+           ImGui::InputText(labelBeside(label), text, static_cast<size_t>(size));
 }
 
 MeBool MEAPI RPanelLine(const char *text, MeBool marked) {
@@ -577,19 +610,21 @@ void MEAPI RPanelPlot(const char *label, const float *values, int count, float h
     for (int i = 0; high <= 0 && i < count; i++)
         max = fmaxf(max, values[i]);
     ImFormatString(text, sizeof text, "%.3g %.32s", static_cast<double>(values[count - 1]), unit ? unit : "");
-    ImGui::PlotLines(label, values, count, 0, text, 0, max > 0 ? max : 1, ImVec2(0, 2.4f * ImGui::GetFontSize()));
+    ImGui::PlotLines(labelBeside(label), values, count, 0, text, 0, max > 0 ? max : 1,
+                     ImVec2(0, 2.4f * ImGui::GetFontSize()));
 }
 
 void MEAPI RPanelPicture(int texture, AcmeReal width, AcmeReal height) {
-    if (inPanel(__func__) && texture >= 0)
-        ImGui::Image(textureID(texture), ImVec2(width * ImGui::GetFontSize(), height * ImGui::GetFontSize()));
+    if (!inPanel(__func__) || texture < 0 || !(width > 0))
+        return;
+    const float shown = widthUpTo(width);
+    ImGui::Image(textureID(texture), ImVec2(shown, shown * height / width));
 }
 
 void MEAPI RPanelListBegin(const char *name, int lines) {
     if (canShow(__func__, name, "name"))
         ImGui::BeginChild(
-            name,
-            ImVec2(listWidth * ImGui::GetFontSize(), static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing()),
+            name, ImVec2(widthUpTo(listWidth), static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing()),
             true);
 }
 

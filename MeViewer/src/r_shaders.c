@@ -435,7 +435,7 @@ static const char overlayVertex[] =
     "void main() {\n"
     "    vTexture = aTexture;\n"
     "    vColor = aColor;\n"
-    "    gl_Position = vec4(2.0 * aPlace.x / viewport.x - 1.0, 1.0 - 2.0 * aPlace.y / viewport.y, 0.0, 1.0);\n"
+    "    gl_Position = vec4(2.0 * aPlace.x / viewport.w - 1.0, 1.0 - 2.0 * aPlace.y / viewport.y, 0.0, 1.0);\n"
     "}\n";
 
 static const char overlayFragment[] = "in vec2 vTexture;\n"

@@ -114,14 +114,14 @@ static bool makeAmbient(RDraw *d) {
            makeColorTarget(gl, &d->ambientMean, GL_R8, width, height, GL_RED, GL_UNSIGNED_BYTE, GL_LINEAR);
 }
 
-bool r_targetsResize(RDraw *d, int width, int height, int level) {
+bool r_targetsResize(RDraw *d, int width, int height, int sceneWidth, int level) {
     const RGL *gl = &d->gl;
     const RQualityLevel *q = &r_qualityLevels[level];
-    if (width == d->width && height == d->height && level == d->level)
+    if (width == d->width && height == d->height && sceneWidth == d->sceneWidth && level == d->level)
         return true;
     freePicture(d);
     d->level = level;
-    d->drawnWidth = scaled(width, q->scale);
+    d->drawnWidth = scaled(sceneWidth, q->scale);
     d->drawnHeight = scaled(height, q->scale);
     const GLint filter = q->scale < 1 ? GL_LINEAR : GL_NEAREST;
     if (!makeShadow(d, q->shadowSize) || !makeBelow(d, q->belowSize) ||
@@ -134,6 +134,7 @@ bool r_targetsResize(RDraw *d, int width, int height, int level) {
     }
     d->width = width;
     d->height = height;
+    d->sceneWidth = sceneWidth;
     return true;
 }
 

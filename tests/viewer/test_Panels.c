@@ -6,6 +6,8 @@
 
 #include "r_i.h"
 
+enum { SCENE = 672, X = 690, Y = 315 }; /* The scene's width beside panels; the first item of a panel "Mine". */
+
 static RRender *rc;
 static int shows, presses, mouseCalls, pointed;
 static MeReal value;
@@ -117,7 +119,7 @@ TEST(a_click_is_a_panels_or_the_programs) {
     RRenderSetMouseCallBack(rc, onMouse);
     RPanelCreate(rc, "Mine", showButton, &shows);
     tap(RKEY_F9);
-    click(40, 104);
+    click(X, Y);
     ck_assert_int_eq(presses, 1);
     ck_assert_int_eq(mouseCalls, 0);
     ck_assert_int_eq(pointed, 1);
@@ -126,12 +128,12 @@ TEST(a_click_is_a_panels_or_the_programs) {
     ck_assert_int_eq(presses, 1);
     ck_assert_int_eq(mouseCalls, 2);
     point(rMouseDown, 480, 500); /* A drag that begins outside stays outside. */
-    point(rMouseMove, 40, 104);
-    point(rMouseUp, 40, 104);
+    point(rMouseMove, X, Y);
+    point(rMouseUp, X, Y);
     ck_assert_int_eq(presses, 1);
     ck_assert_int_eq(mouseCalls, 5);
     tap(RKEY_F9);
-    click(40, 104); /* Where it was, there is the program again. */
+    click(X, Y); /* Where it was, there is the program again. */
     ck_assert_int_eq(mouseCalls, 7);
 }
 
@@ -141,9 +143,9 @@ TEST(clicks_in_one_frame_are_all_counted) {
     tap(RKEY_F9);
     for (int i = 0; i < 3; i++) {
         r_post(rc, (REvent){.kind = rMouseMove, .x = 480, .y = 500});
-        r_post(rc, (REvent){.kind = rMouseMove, .x = 40, .y = 104});
-        r_post(rc, (REvent){.kind = rMouseDown, .which = kRLeftButton, .x = 40, .y = 104});
-        r_post(rc, (REvent){.kind = rMouseUp, .which = kRLeftButton, .x = 40, .y = 104});
+        r_post(rc, (REvent){.kind = rMouseMove, .x = X, .y = Y});
+        r_post(rc, (REvent){.kind = rMouseDown, .which = kRLeftButton, .x = X, .y = Y});
+        r_post(rc, (REvent){.kind = rMouseUp, .which = kRLeftButton, .x = X, .y = Y});
     }
     for (int i = 0; i < 8; i++)
         frame();
@@ -153,24 +155,24 @@ TEST(clicks_in_one_frame_are_all_counted) {
 TEST(a_slider_follows_the_mouse) {
     RPanelCreate(rc, "Mine", showSlider, NULL);
     tap(RKEY_F9);
-    point(rMouseMove, 40, 104);
-    point(rMouseDown, 40, 104);
+    point(rMouseMove, X, Y);
+    point(rMouseDown, X, Y);
     frame();
     ck_assert(value > 0 && value < 5);
     const MeReal low = value;
-    point(rMouseMove, 100, 300); /* Held, it goes on being moved from outside. */
+    point(rMouseMove, X + 60, 100); /* Held, it goes on being moved from outside. */
     ck_assert(value > low && value < 10);
-    point(rMouseMove, 900, 300);
+    point(rMouseMove, 900, 100);
     assert_near(value, 10, 0);
-    point(rMouseUp, 900, 300);
-    point(rMouseMove, 40, 104);
+    point(rMouseUp, 900, 100);
+    point(rMouseMove, X, Y);
     assert_near(value, 10, 0);
 }
 
 TEST(what_is_written_is_not_a_key) {
     RPanelCreate(rc, "Mine", showEdit, NULL);
     tap(RKEY_F9);
-    click(40, 104);
+    click(X, Y);
     tap('p');
     tap('q');
     tap('p');
@@ -322,32 +324,77 @@ TEST(the_programs_keys_are_buttons_too) {
     RRenderSetActionNCallBack(rc, 2, onAction);
     tap(RKEY_F9);
     actions = 0;
-    click(690, 262);
+    click(X, 237);
     ck_assert_int_eq(actions, 0);
-    click(690, 287);
+    click(X, 262);
     ck_assert_int_eq(actions, 1);
+}
+
+/* The least x of what the text of panels covers. */
+static float leftOfPanels(void) {
+    const ROverlay *o = &rc->m_pViewer->overlay;
+    float left = INFINITY;
+    for (size_t i = 0; i < o->vertices.count; i++)
+        left = fminf(left, o->vertices.items[i].x);
+    return left;
 }
 
 static void MEAPI showLines(RRender *r, void *userdata) {
     (void)r, (void)userdata;
-    for (int i = 0; i < 15; i++)
-        RPanelText("a line");
+    for (int i = 0; i < 40; i++)
+        RPanelText("a line that is far too long for the column at the right edge of the window, and has to be wrapped");
 }
 
-/* The second has no room below the first: it is beside it in the very first picture, which may be the only one. */
-TEST(panels_are_inside_the_window) {
+/* Whatever the window's size: what panels cover the scene does not have. */
+TEST(panels_and_the_scene_are_side_by_side) {
+    static const int sizes[][2] = {{960, 600}, {2560, 1440}, {480, 360}, {200, 600}};
     RPanelCreate(rc, "First", showLines, NULL);
     RPanelCreate(rc, "Second", showLines, NULL);
+    ck_assert_int_eq(r_sceneWidth(rc), 960);
     tap(RKEY_F9);
-    const ROverlay *o = &rc->m_pViewer->overlay;
-    float lowest = 0, right = 0;
-    for (size_t i = 0; i < o->vertices.count; i++) {
-        lowest = fmaxf(lowest, o->vertices.items[i].y);
-        if (o->vertices.items[i].x < 480)
-            right = fmaxf(right, o->vertices.items[i].x);
+    ck_assert_int_eq(r_sceneWidth(rc), SCENE);
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        r_post(rc, (REvent){.kind = rResize, .x = sizes[i][0], .y = sizes[i][1]});
+        frame();
+        ck_assert_int_ge(r_sceneWidth(rc), sizes[i][0] / 2);
+        assert_near(leftOfPanels(), r_sceneWidth(rc), 1);
     }
-    ck_assert_float_le(lowest, 600);
-    ck_assert_float_gt(right, 100);
+    RRenderToggleUserHelp(rc); /* The help has all of the window. */
+    ck_assert_int_eq(r_sceneWidth(rc), 200);
+    RRenderToggleUserHelp(rc);
+    tap(RKEY_F9);
+    ck_assert_int_eq(r_sceneWidth(rc), 200);
+}
+
+/* The middle of the scene is the middle of what panels leave. */
+TEST(a_panel_moves_the_scene) {
+    double box[4];
+    AcmeReal x = 1, y = 1;
+    RPanelCreate(rc, "First", showLines, NULL);
+    RCameraSetLookAt(rc, (const AcmeVector3){0, 0, 0});
+    RRenderSetMarkCallBack(rc, drawMarks, &from);
+    tap(RKEY_F9);
+    markLine(0, -1, 0, 0, 1, 0, box);
+    assert_near((box[0] + box[2]) / 2, SCENE / 2, 1);
+    RCalculatePortalCoordinates(rc, 2, 2, SCENE / 2, 300, &x, &y);
+    assert_near(x, 0, 1e-6);
+    assert_near(y, 0, 1e-6);
+    RRenderSetMarkCallBack(rc, NULL, NULL);
+}
+
+/* What lies below the window's edge can be reached: by the wheel, or because it has just been opened. */
+TEST(the_column_scrolls) {
+    RPanelCreate(rc, "First", showLines, NULL);
+    RPanelCreate(rc, "Mine", showButton, &shows);
+    RPanelShow(rc, "Mine", 0);
+    tap(RKEY_F9);
+    shows = 0;
+    RPanelShow(rc, "Mine", 1);
+    for (int i = 0; i < 3; i++)
+        frame();
+    ck_assert_int_gt(shows, 0);
+    click(X, 576); /* It is the last one. */
+    ck_assert_int_eq(presses, 1);
 }
 
 TEST(a_panel_may_go) {
