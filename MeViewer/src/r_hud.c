@@ -70,43 +70,99 @@ static void drawBar(RRender *rc) {
         drawTriangles2D(rc, rc->m_pPerformanceBar->m_pTicks);
 }
 
-/* Small text on a small panel, with its left or right edge at x; in several lines, if the window is too narrow. */
-static void label(RRender *rc, float x, float bottom, bool right, const char *text) {
-    const float scale = r_uiScale(rc), size = 13 * scale, pad = 6 * scale;
-    const float wrap = (float)rc->m_pViewer->width - 32 * scale;
+/* ---- Labels: small text on small panels ---- */
+
+/* Where the line that begins here has to end; null if all of it fits. Groups of words are two spaces apart: a line ends
+ * between two of them, or at a space if one group alone is too long. */
+static char *endOfLine(char *begin, float size, float max) {
+    char *group = NULL, *space = NULL;
+    for (char *at = begin;; at++) {
+        const char kept = *at;
+        if (kept && kept != ' ' && kept != '\n')
+            continue;
+        *at = '\0';
+        const bool fits = r_uiTextSize(begin, size, 0, NULL) <= max;
+        *at = kept;
+        if (!fits && space)
+            return group ? group : space;
+        if (!kept || kept == '\n')
+            return kept ? at : NULL;
+        space = at;
+        if (at[1] == ' ')
+            group = at;
+        at += strspn(at, " ") - 1;
+    }
+}
+
+static void breakLines(char *text, float size, float max) {
+    for (char *end; (end = endOfLine(text, size, max)) != NULL; text = end + 1) {
+        char *next = end + (*end == '\n') + strspn(end, " ");
+        *end = '\n';
+        memmove(end + 1, next, strlen(next) + 1);
+    }
+}
+
+typedef struct {
+    float left, top, right;
+} Label;
+
+static float labelSize(const RRender *rc) {
+    return 13 * r_uiScale(rc);
+}
+
+/* Its left or right edge is at x. */
+static Label label(const RRender *rc, float x, float bottom, bool right, const char *text) {
+    const float scale = r_uiScale(rc), size = labelSize(rc), pad = 6 * scale;
     float height;
-    const float width = r_uiTextSize(text, size, wrap, &height) + 2 * pad;
+    const float width = r_uiTextSize(text, size, 0, &height) + 2 * pad;
     height += pad;
     const float left = roundf(right ? x - width : x), top = roundf(bottom - height);
     r_uiBox(left, top, roundf(width), roundf(height), 4 * scale, r_panel);
-    r_uiText(left + pad, roundf(top + 0.5f * pad + 0.95f * size), size, wrap, rTextPlain, r_white, text);
+    r_uiText(left + pad, roundf(top + 0.5f * pad + 0.95f * size), size, 0, rTextPlain, r_white, text);
+    return (Label){left, top, left + width};
 }
 
-/* The simulation is slower than the clock. Above the line of the status, which may be long. */
-static void labelPace(RRender *rc, float right, float bottom) {
-    char text[16];
-    snprintf(text, sizeof text, "x%.1f", rc->m_pViewer->loop.clock.pace);
-    label(rc, right, bottom - 26 * r_uiScale(rc), true, text);
+/* In several lines, if the scene is too narrow. */
+static Label labelStatus(const RRender *rc, float left, float bottom, float width) {
+    char text[1024];
+    snprintf(text, sizeof text, "%s", rc->m_pViewer->status);
+    breakLines(text, labelSize(rc), width - 12 * r_uiScale(rc));
+    return label(rc, left, bottom, false, text);
 }
 
-static void drawLabels(RRender *rc) {
+/* At the right, beside what is there, or above it where there is no room. Returns the bottom of what comes above. */
+static float labelBeside(const RRender *rc, Label there, float right, float bottom, const char *text) {
+    const float gap = 4 * r_uiScale(rc), width = r_uiTextSize(text, labelSize(rc), 0, NULL) + 3 * gap;
+    if (right - width < there.right + gap)
+        bottom = fminf(bottom, there.top - gap);
+    return label(rc, right, bottom, true, text).top - gap;
+}
+
+static const char *hint(const RRender *rc) {
     enum { HINT_FRAMES = 240 };
+    if (!rc->m_pViewer->backend->window)
+        return NULL;
+    if (rc->m_pViewer->loop.frames < HINT_FRAMES)
+        return "F1 help, F9 panels";
+    return rc->m_bPause ? "paused: P continues, O one step" : NULL;
+}
+
+static void drawLabels(const RRender *rc) {
     const double SLOW = 0.95; /* else it would say x1.0 */
     const struct RViewer *v = rc->m_pViewer;
-    const float margin = 10 * r_uiScale(rc), right = (float)v->width - margin, bottom = (float)v->height - margin;
-    if (v->status)
-        label(rc, margin, bottom, false, v->status);
-    if (r_isByClock(rc) && !rc->m_bPause && v->loop.clock.pace < SLOW)
-        labelPace(rc, right, bottom);
-    if (v->backend->window && v->loop.frames < HINT_FRAMES)
-        label(rc, right, bottom, true, "F1 help, F9 panels");
-    else if (v->backend->window && rc->m_bPause && !rc->m_bShowHelp)
-        label(rc, right, bottom, true, "paused: P continues, O one step");
-    if (v->fps >= 0) {
-        char text[32];
-        snprintf(text, sizeof text, "%.1f fps", (double)v->fps);
+    const float margin = 10 * r_uiScale(rc), right = (float)r_sceneWidth(rc) - margin;
+    float bottom = (float)v->height - margin;
+    char text[32];
+    const Label status =
+        v->status ? labelStatus(rc, margin, bottom, right - margin) : (Label){.top = bottom, .right = -margin};
+    if (hint(rc))
+        bottom = labelBeside(rc, status, right, bottom, hint(rc));
+    snprintf(text, sizeof text, "x%.1f", v->loop.clock.pace);
+    if (r_isByClock(rc) && !rc->m_bPause && v->loop.clock.pace < SLOW) /* slower than the clock */
+        labelBeside(rc, status, right, bottom, text);
+    snprintf(text, sizeof text, "%.1f fps", (double)v->fps);
+    if (v->fps >= 0)
         label(rc, right, margin + 24 * r_uiScale(rc), true, text);
-    }
 }
 
 /* A sign that nothing moves: two bars, in the middle of the picture's upper edge. */

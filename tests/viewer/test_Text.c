@@ -156,6 +156,49 @@ TEST(a_status_line_is_never_cut) {
     }
 }
 
+typedef struct {
+    float left, top, right, bottom;
+} Bounds;
+
+/* Of the letters, which have four vertices each, from one to before another, counted from the end. */
+static Bounds boundsOf(const ROverlay *o, int from, int to) {
+    Bounds b = {INFINITY, INFINITY, -INFINITY, -INFINITY};
+    for (size_t k = o->vertices.count - 4 * (size_t)from; k < o->vertices.count - 4 * (size_t)to; k++) {
+        const ROverlayVertex *v = &o->vertices.items[k];
+        b = (Bounds){fminf(b.left, v->x), fminf(b.top, v->y), fmaxf(b.right, v->x), fmaxf(b.bottom, v->y)};
+    }
+    return b;
+}
+
+/* At every width of the window: no number is broken, nor parted from its unit, and the hint is beside or above. */
+TEST(a_status_line_keeps_numbers_whole_and_clear_of_the_hint) {
+    enum { ALL = 48, GROUP = 14, HINT = 15 }; /* Letters without spaces. */
+    int isBeside = 0, isAbove = 0;
+    for (int width = 320; width < 1300; width += 7) {
+        char options[64];
+        snprintf(options, sizeof options, "-null -size %dx600", width);
+        RRender *own = make_context(options);
+        const ROverlay *o = &own->m_pViewer->overlay;
+        const float line = 1.4f * 13 * r_uiScale(own);
+        RBackend seen = *own->m_pViewer->backend;
+        RRenderSetStatusText(own, "top at 20.0000 m    awake 0 of 21    contacts 102    motion 4059.40 J");
+        ck_assert(r_panelsStart(own));
+        r_hudDraw(own, &own->m_pViewer->overlay);
+        const Bounds last = boundsOf(o, GROUP, 0), all = boundsOf(o, ALL, 0);
+        assert_below(last.bottom - last.top, line);
+        seen.window = true;
+        own->m_pViewer->backend = &seen;
+        r_hudDraw(own, &own->m_pViewer->overlay);
+        const Bounds hint = boundsOf(o, HINT, 0);
+        ck_assert(hint.left > all.right || hint.bottom < all.top);
+        ck_assert(hint.left >= 0 && hint.right <= (float)width);
+        isBeside += hint.bottom > all.top;
+        isAbove += hint.bottom < all.top;
+        RRenderContextDestroy(own);
+    }
+    ck_assert(isBeside > 10 && isAbove > 10);
+}
+
 /* A key and its text are divided by the first " - ", and by ": " only in a line without that. */
 TEST(help_lines_are_not_split_at_a_colon_in_their_text) {
     static const char *const one[] = {"$ACTION1 - start: again"}, *const other[] = {"Space\tstart: again"};
