@@ -103,8 +103,7 @@ void r_cameraApplyOption(RRender *rc) {
         RCameraSetView(rc, rc->m_Options.m_Camera[0], rc->m_Options.m_Camera[1], rc->m_Options.m_Camera[2]);
 }
 
-/* Extends a box in the upright frame by a graphic; a ground has only a height. Returns whether it is a model. */
-static bool addToBox(const RRender *rc, RGraphic *rg, AcmeReal box[2][3]) {
+bool r_cameraAddToBox(const RRender *rc, RGraphic *rg, AcmeReal box[2][3]) {
     const bool isGround = rg->m_pPart->kind == rGround;
     float m[16];
     if ((rg->m_pPart->kind != rMesh && !isGround) || !r_graphicTransform(rg, m))
@@ -132,7 +131,7 @@ void r_cameraSeeScene(RRender *rc) {
     if (c->isSet || c->orthographic || c->ownMatrix)
         return;
     for (RGraphic *rg = rc->m_p3DGraphics; rg; rg = rg->m_pNext)
-        hasModel |= addToBox(rc, rg, box);
+        hasModel |= r_cameraAddToBox(rc, rg, box);
     for (int k = 0; k < 3; k++) {
         middle[k] = (box[0][k] + box[1][k]) / 2;
         radius = hypotf(radius, box[1][k] - middle[k]);
@@ -340,33 +339,6 @@ void MEAPI RCameraPanY(RRender *rc, AcmeReal dist) {
 void MEAPI RCameraPanZ(RRender *rc, AcmeReal dist) {
     if (r_isContext(rc, __func__) && r_isNumber(dist, __func__, "dist"))
         pan(rc, 0, 0, dist);
-}
-
-/* Height of what is seen at the look-at point's distance. */
-static AcmeReal visibleHeight(const RRender *rc) {
-    const RCamera *c = &rc->m_pViewer->camera;
-    return c->orthographic ? c->orthoHeight : 2 * rc->m_CameraDist * tanf(rc->m_CameraFov / 2);
-}
-
-void r_cameraPan(RRender *rc, AcmeReal right, AcmeReal up) {
-    const AcmeReal perPixel = visibleHeight(rc) / (AcmeReal)rc->m_pViewer->height;
-    pan(rc, right * perPixel, up * perPixel, 0);
-}
-
-void r_cameraDolly(RRender *rc, AcmeReal factor) {
-    if (rc->m_pViewer->camera.orthographic)
-        rc->m_pViewer->camera.orthoHeight *= factor;
-    else
-        RCameraSetOffset(rc, (MeReal)(rc->m_CameraDist * factor));
-}
-
-/* The point under the pointer, in the plane through the look-at point that faces the camera, stays under it. */
-void r_cameraDollyAt(RRender *rc, AcmeReal factor, int x, int y) {
-    const AcmeReal perPixel = visibleHeight(rc) / (AcmeReal)rc->m_pViewer->height;
-    const AcmeReal right = (AcmeReal)x - (AcmeReal)r_sceneWidth(rc) / 2;
-    const AcmeReal up = (AcmeReal)rc->m_pViewer->height / 2 - (AcmeReal)y;
-    pan(rc, (1 - factor) * right * perPixel, (1 - factor) * up * perPixel, 0);
-    r_cameraDolly(rc, factor);
 }
 
 void MEAPI RCameraSetFov(RRender *rc, AcmeReal fov) {

@@ -138,6 +138,7 @@ typedef struct {
     bool orthographic;
     bool ownMatrix; /* RCameraSetMatrix */
     bool isSet;     /* By the program, or by -camera. */
+    bool goesBelow; /* In the user's hand, also below the ground. */
     AcmeReal orthoHeight, orthoDepth;
     AcmeReal farthest; /* Distance from the camera up to which the scene reaches. */
     bool hasHome;
@@ -152,6 +153,12 @@ void r_cameraApplyOption(RRender *rc); /* -camera */
 void r_cameraSeeScene(RRender *rc);
 void r_cameraKeepHome(RRender *rc);
 void r_cameraHome(RRender *rc);
+/* Extends a box in the upright frame by a graphic; a ground has only a height. Returns whether it is a model. */
+bool r_cameraAddToBox(const RRender *rc, RGraphic *rg, AcmeReal box[2][3]);
+
+/* ---- The camera in the user's hand (r_orbit.c) ---- */
+
+void r_cameraOrbit(RRender *rc, AcmeReal theta, AcmeReal phi);
 void r_cameraPan(RRender *rc, AcmeReal right, AcmeReal up);       /* In pixels of the window, at the look-at point. */
 void r_cameraDolly(RRender *rc, AcmeReal factor);                 /* Multiplies the distance. */
 void r_cameraDollyAt(RRender *rc, AcmeReal factor, int x, int y); /* The same, towards a pixel. */

@@ -207,9 +207,9 @@ static bool isArrow(int key) {
 
 static void orbitKey(RRender *rc, int key, AcmeReal angle) {
     if (key == RKEY_LEFT || key == RKEY_RIGHT)
-        RCameraRotateAngle(rc, key == RKEY_LEFT ? -angle : angle);
+        r_cameraOrbit(rc, key == RKEY_LEFT ? -angle : angle, 0);
     else
-        RCameraRotateElevation(rc, key == RKEY_UP ? angle : -angle);
+        r_cameraOrbit(rc, 0, key == RKEY_UP ? angle : -angle);
 }
 
 static void menuKey(RRender *rc, int key) {
@@ -354,8 +354,7 @@ static void mouseMove(RRender *rc, const REvent *e) {
     } else if (in->dragPans) {
         r_cameraPan(rc, -dx, dy);
     } else if (in->dragButton == kRLeftButton) {
-        RCameraRotateAngle(rc, -dx * angle);
-        RCameraRotateElevation(rc, dy * angle);
+        r_cameraOrbit(rc, -dx * angle, dy * angle);
     }
 }
 

@@ -171,6 +171,7 @@ static void showViewer(RRender *rc) {
         r_barToggle(rc);
     check("wireframe (F4)", &v->wireframe);
     check("shadows (F5)", &v->shadows);
+    check("camera goes below the ground", &v->camera.goesBelow);
     showQuality(rc);
     showGround(rc);
     if (v->help.lines.count && RPanelSection("This program's keys"))

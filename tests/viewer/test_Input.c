@@ -338,6 +338,70 @@ TEST(the_wheel_zooms_to_the_pointer) {
     ck_assert(rc->m_pViewer->camera.orthoHeight < 8);
 }
 
+static double eyeHeight(void) {
+    AcmeVector3 eye, up;
+    RCameraGetPosition(rc, eye);
+    RCameraGetUpAxis(rc, up);
+    return (double)eye[0] * up[0] + (double)eye[1] * up[1] + (double)eye[2] * up[2];
+}
+
+/* Drags far, turns, and zooms far out and in; returns how low the eye has come. */
+static double moveCameraFar(void) {
+    static const int buttons[2] = {kRLeftButton, kRRightButton};
+    double lowest = INFINITY;
+    for (int i = 0; i < 2; i++) {
+        point(rMouseDown, buttons[i], 0, 400, 300);
+        point(rMouseMove, 0, 0, 420, -900);
+        lowest = fmin(lowest, eyeHeight());
+        point(rMouseUp, buttons[i], 0, 420, -900);
+    }
+    tap(RKEY_DOWN, RCONTROL);
+    for (int i = 0; i < 30; i++) {
+        lowest = fmin(lowest, eyeHeight());
+        point(rWheel, i < 10 ? -2 : 2, 0, 480, 500);
+    }
+    return fmin(lowest, eyeHeight());
+}
+
+/* Whatever the user does to it, whichever axis is up, and whichever size the scene has. */
+TEST(the_camera_stays_above_the_ground) {
+    static const AcmeReal sizes[] = {0.01f, 1, 1000}, ground = -3;
+    for (int i = 0; i < 6; i++) {
+        const AcmeReal size = sizes[i / 2];
+        RGraphic *plane;
+        RCameraSetUp(rc, 0, (AcmeReal)(i % 2), (AcmeReal)(1 - i % 2));
+        plane = RGraphicGroundPlaneCreate(rc, 24 * size, 2, RPalette[7], ground * size);
+        RCameraSetLookAt(rc, (const AcmeVector3){0, 0, 0});
+        RCameraSetView(rc, 15 * size, 0, 0.3f);
+        assert_below((double)(ground * size), moveCameraFar());
+        rc->m_pViewer->camera.goesBelow = true;
+        RCameraSetLookAt(rc, (const AcmeVector3){0, 0, 0});
+        RCameraSetView(rc, 15 * size, 0, 0.3f);
+        assert_below(moveCameraFar(), (double)(ground * size));
+        rc->m_pViewer->camera.goesBelow = false;
+        RGraphicDelete(rc, plane, 0);
+    }
+}
+
+/* A program's own view is its own affair; without a ground the lowest thing counts; without that there is no limit. */
+TEST(what_the_ground_is) {
+    static MeMatrix4 tm = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, -5, 0, 1}};
+    assert_below(moveCameraFar(), -10);
+    RGraphicBoxCreate(rc, 1, 2, 1, RPalette[0], tm);
+    RCameraSetLookAt(rc, (const AcmeVector3){0, 0, 0});
+    RCameraSetView(rc, 15, 0, 0.3f);
+    assert_below(-6, moveCameraFar());
+    RCameraSetLookAt(rc, (const AcmeVector3){0, -20, 0});
+    RCameraSetView(rc, 15, 0, 0);
+    assert_near(eyeHeight(), -20, 1e-4);
+    point(rMouseDown, kRLeftButton, 0, 400, 300);
+    point(rMouseMove, 0, 0, 400, 250);
+    assert_near(eyeHeight(), -20, 1e-4); /* It came no lower, */
+    point(rMouseMove, 0, 0, 400, 400);
+    assert_below(-19, eyeHeight()); /* but can go up. */
+    point(rMouseUp, kRLeftButton, 0, 400, 400);
+}
+
 static void MEAPI leave(RRender *r, int x, int y, int modifiers, RMouseButtonWhich which, RMouseButtonEvent event,
                         void *userdata) {
     onMouse(r, x, y, modifiers, which, event, userdata);
