@@ -167,11 +167,20 @@ MEPUBLIC void MEAPI MeAppFindClickPos(const MeApp *const app, int x, int y, MeVe
 /**
  * Sets up the controls. Dragging with the mouse pulls models (MeAppMousePickCB), or turns the camera where there is
  * none. F frames the model clicked last. Space throws a ball (MeAppThrowBall), unless the program uses it. F9 shows
- * panels: "Simulation" (gravity, sub-steps, solver, budget, sleep, materials), "Report" (the world's report over time,
- * switched on while the panel is visible), "Inspector" (the model clicked last) and "Layers" (MeAppSetLayers).
+ * panels: "Simulation" (gravity, rate, sub-steps, solver, budget, workers, sleep, swept models, materials), "Report" (the
+ * world's report over time, switched on while the panel is visible), "Inspector" (the model clicked last, which is
+ * outlined: its mass, velocity, sleep and friction can be set) and "Layers" (MeAppSetLayers; the arrows of contact
+ * forces have a scale, and the layers can be those of the selected body alone).
  * MeAppStep must be called before each step. A second call does nothing.
  */
 MEPUBLIC void MEAPI MeAppCreateControls(MeApp *app);
+/**
+ * Tells of the program's step, s: the variable, above 0, that it steps the universe by in each tick. The panel
+ * "Simulation" then has a setting of it, in steps per second, that also sets the rate of ticks (RRenderSetTickRate).
+ * Null: no setting. The variable must exist as long as the MeApp. MeAppRun does this for its own step. Without controls
+ * a warning.
+ */
+MEPUBLIC void MEAPI MeAppSetStepPtr(MeApp *app, MeReal *step);
 /** Sets the debug layers drawn over the picture: a sum of MstDebugLayer (MstDebugDraw.h); 0, the default: none. */
 MEPUBLIC void MEAPI MeAppSetLayers(MeApp *app, unsigned int layers);
 /** The model clicked last; null if there is none, or it has left the space. */

@@ -58,7 +58,8 @@ typedef struct MeApp {
     struct MeAppControls *controls; /**< Null before MeAppCreateControls. */
     MeAppFollowInfo follow;         /**< MeAppFollow. */
     struct MeAppShown *shown;       /**< Graphics of models (MeAppShowModel); null before the first. */
-    MeTaskPoolID pool;              /**< Threads of MeAppStart, for -workers; null: the universe steps on one thread. */
+    MeTaskPoolID pool;              /**< Threads of MeAppStart; null: the universe steps on one thread. */
+    MeBool ownsUniverse;            /**< Made by MeAppStart. */
 } MeApp;
 
 /** Called by MeAppRun before each step, between all operations: it may do anything. */

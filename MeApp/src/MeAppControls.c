@@ -143,3 +143,12 @@ void meapp_controlsFree(MeApp *app) {
     MeMemoryAPI.destroy(app->controls);
     app->controls = 0;
 }
+
+void MEAPI MeAppSetStepPtr(MeApp *app, MeReal *step) {
+    if (!meapp_check(app, "MeAppSetStepPtr"))
+        return;
+    if (app->controls)
+        app->controls->step = step;
+    else
+        MeWarning(1, "MeAppSetStepPtr: there are no controls (MeAppCreateControls)");
+}

@@ -1,5 +1,4 @@
-/* Panels of a demonstration program: settings of the simulation, the report of its steps over time, and what the model
- * that was clicked last is and does, and layers that explain the picture. */
+/* Panels of a demonstration program: settings of the simulation, and the report of its steps over time. */
 #include "McdGeometry.h"
 #include "McdModel.h"
 #include "McdSpace.h"
@@ -13,14 +12,13 @@
 #include "MstBridge.h"
 #include "MstDebugDraw.h"
 #include "MstModelDynamics.h"
-#include "RMark.h"
 #include "RPanel.h"
 #include "me_app_i.h"
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-static void say(const char *format, ...) {
+void meapp_say(const char *format, ...) {
     char text[160];
     va_list ap;
     va_start(ap, format);
@@ -71,10 +69,11 @@ static void showSleep(MdtWorldID w) {
     if (RPanelButton("wake all"))
         for (MdtBodyID b = MdtBodyGetFirst(w); b; b = MdtBodyGetNext(b))
             MdtBodyEnable(b);
-    say("%d of %d bodies awake", MdtWorldGetEnabledBodies(w), MdtWorldGetTotalBodies(w));
+    RPanelSameLine();
+    meapp_say("%d of %d awake", MdtWorldGetEnabledBodies(w), MdtWorldGetTotalBodies(w));
 }
 
-static int lastMaterial(McdSpaceID space) {
+int meapp_lastMaterial(McdSpaceID space) {
     McdSpaceModelIterator it;
     McdModelID m;
     unsigned int last = 0;
@@ -85,7 +84,7 @@ static int lastMaterial(McdSpaceID space) {
 }
 
 /* Contacts without friction get the friction cone with it, others keep their model. */
-static void setFriction(MdtContactParamsID p, MeReal friction) {
+void meapp_setFriction(MdtContactParamsID p, MeReal friction) {
     if (MdtContactParamsGetType(p) == MdtContactTypeFrictionZero)
         MdtContactParamsSetSurface(p, friction, MdtContactParamsGetRestitution(p));
     else
@@ -94,7 +93,7 @@ static void setFriction(MdtContactParamsID p, MeReal friction) {
 
 static void showMaterials(MeApp *app) {
     int *pair = app->controls->material;
-    const int last = lastMaterial(app->space);
+    const int last = meapp_lastMaterial(app->space);
     if (last > 0) {
         RPanelWhole("material", &pair[0], 0, last);
         RPanelWhole("on material", &pair[1], 0, last);
@@ -104,17 +103,70 @@ static void showMaterials(MeApp *app) {
     MeReal friction = MdtContactParamsGetPrimaryFrictionCoeffecient(p);
     MeReal restitution = MdtContactParamsGetRestitution(p);
     if (RPanelSlider("friction", &friction, 0, 2, NULL))
-        setFriction(p, friction);
+        meapp_setFriction(p, friction);
     if (RPanelSlider("restitution", &restitution, 0, 1, NULL))
         MdtContactParamsSetRestitution(p, restitution);
+}
+
+/* A step's length as a rate, and the threads: of programs that have told of their step, so that a setting of them has
+ * an effect. The ticks follow, so that time goes on as fast as before. */
+static void showRate(MeApp *app) {
+    MeReal *step = app->controls->step;
+    if (!step || !(*step > 0))
+        return;
+    int rate = (int)(1 / *step + (MeReal)0.5);
+    if (RPanelWhole("steps/s (Hz)", &rate, 15, 480)) {
+        *step = 1 / (MeReal)rate;
+        RRenderSetTickRate(app->rc, (AcmeReal)rate);
+    }
+}
+
+/* A pool of the program's own is not touched. */
+static void showWorkerCount(MeApp *app) {
+    const int ours = app->pool ? MeTaskPoolGetWorkers(app->pool) : 1;
+    int count = ours;
+    if (!app->ownsUniverse || MdtWorldGetWorkerCount(app->world) != ours)
+        return;
+    if (RPanelWhole("workers", &count, 1, MEAPP_WORKERS))
+        meapp_setWorkers(app, count);
+}
+
+static void sweepAll(McdSpaceID space, MeBool swept) {
+    McdSpaceModelIterator it;
+    McdModelID m;
+    McdSpaceModelIteratorBegin(space, &it);
+    while (McdSpaceGetModel(space, &it, &m))
+        if (McdModelGetBody(m))
+            McdModelSetSwept(m, swept);
+}
+
+static void showSwept(McdSpaceID space) {
+    McdSpaceModelIterator it;
+    McdModelID m;
+    int swept = 0, all = 0;
+    McdSpaceModelIteratorBegin(space, &it);
+    while (McdSpaceGetModel(space, &it, &m)) {
+        all += McdModelGetBody(m) != 0;
+        swept += McdModelGetBody(m) && McdModelIsSwept(m);
+    }
+    if (RPanelButton("sweep all"))
+        sweepAll(space, METRUE);
+    RPanelSameLine();
+    if (RPanelButton("none"))
+        sweepAll(space, MEFALSE);
+    RPanelSameLine();
+    meapp_say("%d of %d swept", swept, all);
 }
 
 static void MEAPI showSimulation(RRender *rc, void *userdata) {
     MeApp *app = userdata;
     (void)rc;
     showGravity(app);
+    showRate(app);
     showSolver(app->world);
+    showWorkerCount(app);
     showSleep(app->world);
+    showSwept(app->space);
     if (app->universe && RPanelSection("Materials"))
         showMaterials(app);
 }
@@ -157,7 +209,7 @@ static void sampleWorkers(MeApp *app) {
 static void showWorkers(const MeApp *app) {
     const int count = MdtWorldGetWorkerCount(app->world);
     for (int i = 0; count > 1 && i < MeMIN(count, MEAPP_WORKERS); i++)
-        say("worker %d busy for %.2f ms a step", i, 1e3 * app->controls->worker[i].mean);
+        meapp_say("worker %d busy for %.2f ms a step", i, 1e3 * app->controls->worker[i].mean);
 }
 
 void meapp_sampleReport(MeApp *app) {
@@ -195,9 +247,9 @@ static void showPath(const MeApp *app) {
     const MeBool isOne = partition >= 0 && partition < MdtWorldGetReportCount(app->world);
     if (!(isOne ? MdtWorldGetPartitionReport(app->world, partition, &r) : MdtWorldGetReport(app->world, &r)))
         return;
-    say("%d bodies, %d constraints", r.bodies, r.constraints);
-    say("solver: %s", pathName(r.way));
-    say("joint error %.2g mm", 1e3 * (double)r.jointGap);
+    meapp_say("%d bodies, %d constraints", r.bodies, r.constraints);
+    meapp_say("solver: %s", pathName(r.way));
+    meapp_say("joint error %.2g mm", 1e3 * (double)r.jointGap);
 }
 
 static void MEAPI showReport(RRender *rc, void *userdata) {
@@ -207,132 +259,18 @@ static void MEAPI showReport(RRender *rc, void *userdata) {
     (void)rc;
     c->figuresSeen = LINGERS;
     RPanelWhole("partition", &c->partition, -1, MeMAX(MdtWorldGetReportCount(app->world) - 1, 0));
-    RPanelText(c->partition < 0 ? "-1: all of them" : "");
+    if (c->partition < 0)
+        RPanelText("(-1: all partitions)");
     showPath(app);
     showWorkers(app);
     for (int i = 0; i < MEAPP_PLOTS; i++)
         RPanelPlot(plots[i].name, c->history[i], MEAPP_HISTORY, 0, plots[i].unit);
 }
 
-/* ---- Inspector --------------------------------------------------------------------------------------------------- */
-
-static void sayVector(const char *name, const MeVector3 v, const char *unit) {
-    say("%s  %.3f  %.3f  %.3f %s", name, (double)v[0], (double)v[1], (double)v[2], unit);
-}
-
-static int countConstraints(MdtBodyID b, MeBool contacts) {
-    int n = 0;
-    if (contacts)
-        for (MdtContactID c = MdtBodyGetFirstContact(b); c; c = MdtBodyGetNextContact(b, c))
-            n++;
-    else
-        for (MdtConstraintID c = MdtBodyGetFirstConstraint(b); c; c = MdtBodyGetNextConstraint(b, c))
-            n++;
-    return n;
-}
-
-static void showMotion(MdtBodyID b) {
-    MeVector3 v;
-    MdtBodyGetCenterOfMassPosition(b, v);
-    sayVector("centre of mass", v, "m");
-    MdtBodyGetLinearVelocity(b, v);
-    sayVector("velocity", v, "m/s");
-    MdtBodyGetAngularVelocity(b, v);
-    sayVector("angular velocity", v, "rad/s");
-    say("mass  %.4g kg    energy of motion  %.4g J", (double)MdtBodyGetMass(b), (double)MdtBodyGetKineticEnergy(b));
-    say("%s    partition %d of %d bodies", MdtBodyIsEnabled(b) ? "awake" : "asleep", MdtBodyGetPartition(b),
-        MdtBodyGetPartitionSize(b));
-    say("%d constraints, %d contacts", countConstraints(b, MEFALSE), countConstraints(b, METRUE));
-}
-
-static void MEAPI showInspector(RRender *rc, void *userdata) {
-    MeApp *app = userdata;
-    const McdModelID m = MeAppGetSelected(app);
-    const MdtBodyID b = m ? McdModelGetBody(m) : 0;
-    (void)rc;
-    if (!b) {
-        RPanelText("Click something that moves.");
-        return;
-    }
-    say("%s, material %u", McdGeometryGetTypeName(McdModelGetGeometry(m)), McdModelGetMaterial(m));
-    showMotion(b);
-    if (app->pick.model == m)
-        say("the mouse pulls with %.4g N", (double)app->pick.force);
-    if (RPanelButton("look at it (F)"))
-        MeAppFrameSelected(app);
-    RPanelSameLine();
-    if (RPanelButton(MdtBodyIsEnabled(b) ? "put to sleep" : "wake"))
-        (MdtBodyIsEnabled(b) ? MdtBodyDisable : MdtBodyEnable)(b);
-}
-
-/* ---- Layers ------------------------------------------------------------------------------------------------------ */
-
-static void MEAPI markLine(void *userdata, const MeVector3 a, const MeVector3 b, const float color[4]) {
-    RMarkLine(((MeApp *)userdata)->rc, a, b, color, 1.5f);
-}
-
-static void MEAPI markPoint(void *userdata, const MeVector3 p, const float color[4]) {
-    RMarkPoint(((MeApp *)userdata)->rc, p, color, 6);
-}
-
-static void MEAPI markTriangle(void *userdata, const MeVector3 a, const MeVector3 b, const MeVector3 c,
-                               const float color[4]) {
-    RMarkTriangle(((MeApp *)userdata)->rc, a, b, c, color);
-}
-
-static void MEAPI markText(void *userdata, const MeVector3 p, const char *text, const float color[4]) {
-    RMarkText(((MeApp *)userdata)->rc, p, text, color);
-}
-
-static void MEAPI drawLayers(RRender *rc, void *userdata) {
-    MeApp *app = userdata;
-    const MstDebugDraw table = {markLine, markPoint, markTriangle, markText, app};
-    (void)rc;
-    if (app->controls->layers)
-        MstDebugDrawParts(app->world, app->space, app->lengthScale, app->controls->layers, &table);
-}
-
-static const char *const layerNames[] = {"shapes",
-                                         "boxes along the axes",
-                                         "contacts and normals",
-                                         "contact forces",
-                                         "joints and axes",
-                                         "limits and angles",
-                                         "centres of mass",
-                                         "velocities",
-                                         "partitions by colour",
-                                         "sleep by colour",
-                                         "solver taken by colour",
-                                         "names"};
-enum { LAYERS = sizeof layerNames / sizeof layerNames[0] };
-
-static void MEAPI showLayers(RRender *rc, void *userdata) {
-    MeAppControls *c = ((MeApp *)userdata)->controls;
-    (void)rc;
-    for (int i = 0; i < LAYERS; i++) {
-        MeBool on = (c->layers >> i & 1u) != 0;
-        if (RPanelCheck(layerNames[i], &on))
-            c->layers ^= 1u << i;
-    }
-}
-
-void MEAPI MeAppSetLayers(MeApp *app, unsigned int layers) {
-    if (!meapp_check(app, "MeAppSetLayers"))
-        return;
-    if (!app->controls)
-        MeWarning(1, "MeAppSetLayers: there are no controls (MeAppCreateControls)");
-    else if (layers & ~(unsigned int)MstDebugAll)
-        MeWarning(1, "MeAppSetLayers: layers is %u: it must be a sum of MstDebugLayer", layers);
-    else
-        app->controls->layers = layers;
-}
-
 void meapp_createPanels(MeApp *app) {
-    RRenderSetMarkCallBack(app->rc, drawLayers, app);
     RPanelCreate(app->rc, "Simulation", showSimulation, app);
-    RPanelCreate(app->rc, "Inspector", showInspector, app);
-    RPanelCreate(app->rc, "Layers", showLayers, app);
-    RPanelShow(app->rc, "Layers", MEFALSE);
+    RPanelCreate(app->rc, "Inspector", meapp_showInspector, app);
+    meapp_createLayers(app);
     RPanelCreate(app->rc, "Report", showReport, app);
     RPanelShow(app->rc, "Report", MEFALSE);
 }

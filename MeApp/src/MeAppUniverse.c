@@ -208,12 +208,13 @@ static void placeCamera(RRender *rc, MeReal lengthScale) {
     RCameraSetView(rc, 12 * (AcmeReal)lengthScale, .5f, .3f);
 }
 
-/* -workers; without memory for them the calling thread steps alone, after a warning. */
-static void startWorkers(MeApp *app, int workers) {
-    if (workers < 2)
-        return;
-    app->pool = MeTaskPoolCreate(workers);
+/* Without memory for them the calling thread steps alone, after a warning. */
+void meapp_setWorkers(MeApp *app, int workers) {
+    const MeTaskPoolID before = app->pool;
+    app->pool = workers > 1 ? MeTaskPoolCreate(workers) : 0;
     MdtWorldSetTaskPool(MstUniverseGetWorld(app->universe), app->pool);
+    if (before)
+        MeTaskPoolDestroy(before);
 }
 
 static void MEAPI printAdviceAndEnd(const MstAdvice *advice, void *userdata) {
@@ -246,7 +247,9 @@ MeApp *MEAPI MeAppStart(int argc, const char **argv, const char *name, const Mst
     if (app) {
         placeCamera(rc, app->lengthScale);
         MeAppCreateControls(app);
-        startWorkers(app, rc->m_Options.m_nWorkers);
+        app->ownsUniverse = METRUE;
+        if (rc->m_Options.m_nWorkers > 1)
+            meapp_setWorkers(app, rc->m_Options.m_nWorkers);
         requestAdvice(app);
         return app;
     }
@@ -305,6 +308,8 @@ void MEAPI MeAppRun(MeApp *app, MeReal step, MeAppStepCB beforeStep, void *userd
     }
     running.app = app;
     running.step = step;
+    if (app->controls)
+        app->controls->step = &running.step;
     running.beforeStep = beforeStep;
     running.userdata = userdata;
     atexit(endRunning);

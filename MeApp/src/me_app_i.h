@@ -29,6 +29,7 @@ void meapp_contactsFree(MeAppContactDrawInfo *info);
 
 /* What MeAppCreateControls made. */
 enum { MEAPP_BALLS = 8, MEAPP_HISTORY = 120, MEAPP_PLOTS = 9, MEAPP_WORKERS = 8 };
+enum { MEAPP_SEEN = 2 }; /* Pictures that the selection is outlined in: panels are drawn after layers. */
 typedef struct MeAppControls {
     McdModelID balls[MEAPP_BALLS];
     MeU64 ballSerials[MEAPP_BALLS]; /* Another model may come to be in the same place. */
@@ -38,6 +39,13 @@ typedef struct MeAppControls {
     int figuresSeen; /* Frames that the report is still wanted for. */
     MeBool reportIsOurs;
     unsigned int layers; /* MstDebugLayer */
+    MeReal forceLength;  /* m for each N of the arrows of contact forces; 0: no force has been seen. */
+    MeBool selectedOnly; /* The layers of the selected body alone. */
+    int selectionSeen;   /* Pictures that the selection is outlined in. */
+    MeU64 inspected;     /* Serial of the model that the inspector showed last, */
+    MeReal massBefore;   /* the mass that it had then; */
+    int inspectedOther;  /* the material that it has its friction on. */
+    MeReal *step;        /* MeAppSetStepPtr's. */
     float history[MEAPP_PLOTS][MEAPP_HISTORY];
     struct {
         double before, mean; /* s: in all as of the last step, 0 if that was not looked at; a step. */
@@ -47,6 +55,18 @@ typedef struct MeAppControls {
 /* The report of the step before, for the plots (MeAppPanels.c). */
 void meapp_sampleReport(MeApp *app);
 void meapp_createPanels(MeApp *app);
+/* The panel "Layers", and what is drawn over the picture (MeAppLayers.c). */
+void meapp_createLayers(MeApp *app);
+/* Null if nothing is selected. */
+MdtBodyID meapp_selectedBody(const MeApp *app);
+void MEAPI meapp_showInspector(RRender *rc, void *userdata); /* MeAppInspector.c */
+/* A line of a panel, as by printf. */
+void meapp_say(const char *format, ...);
+int meapp_lastMaterial(McdSpaceID space);
+/* Contacts without friction get the friction cone with it, others keep their model. */
+void meapp_setFriction(MdtContactParamsID p, MeReal friction);
+/* Between steps: another number of threads (MeAppUniverse.c). */
+void meapp_setWorkers(MeApp *app, int workers);
 /* Takes keys, panels and layers from the context again. */
 void meapp_controlsFree(MeApp *app);
 

@@ -66,6 +66,8 @@ MEPUBLIC MeBool MEAPI RPanelCheck(const char *label, MeBool *value);
 /** A slider; warns unless @a low < @a high. A value out of range is shown unchanged until the slider is moved. @a unit
  * may be null. */
 MEPUBLIC MeBool MEAPI RPanelSlider(const char *label, MeReal *value, MeReal low, MeReal high, const char *unit);
+/** The same with equal ways for equal factors: @a low must be above 0. */
+MEPUBLIC MeBool MEAPI RPanelScale(const char *label, MeReal *value, MeReal low, MeReal high, const char *unit);
 MEPUBLIC MeBool MEAPI RPanelWhole(const char *label, int *value, int low, int high);
 /** A choice of one of @a count names. */
 MEPUBLIC MeBool MEAPI RPanelChoice(const char *label, int *which, const char *const names[], int count);

@@ -169,8 +169,9 @@ static void showViewer(RRender *rc) {
     MeBool bar = r_barIsShown(rc);
     if (RPanelCheck("performance bar (F3)", &bar))
         r_barToggle(rc);
-    check("wireframe (F4)", &v->wireframe);
     check("shadows (F5)", &v->shadows);
+    RPanelSameLine();
+    check("wireframe (F4)", &v->wireframe);
     check("camera goes below the ground", &v->camera.goesBelow);
     showQuality(rc);
     showGround(rc);

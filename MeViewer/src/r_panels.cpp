@@ -548,14 +548,23 @@ bool r_uiSlider(const char *label, MeReal *value, MeReal low, MeReal high, const
     return true;
 }
 
-MeBool MEAPI RPanelSlider(const char *label, MeReal *value, MeReal low, MeReal high, const char *unit) {
-    if (!canShow(__func__, label, "label") || !r_isPointer(value, __func__, "value"))
+static MeBool slider(const char *function, const char *label, MeReal *value, MeReal low, MeReal high, const char *unit,
+                     bool logarithmic) {
+    if (!canShow(function, label, "label") || !r_isPointer(value, function, "value"))
         return MEFALSE;
-    if (!(low < high) || !std::isfinite(low) || !std::isfinite(high)) {
-        MeWarning(1, "%s: low is %g and high is %g", __func__, static_cast<double>(low), static_cast<double>(high));
+    if (!(low < high) || !std::isfinite(low) || !std::isfinite(high) || (logarithmic && !(low > 0))) {
+        MeWarning(1, "%s: low is %g and high is %g", function, static_cast<double>(low), static_cast<double>(high));
         return MEFALSE;
     }
-    return r_uiSlider(label, value, low, high, unit, false);
+    return r_uiSlider(label, value, low, high, unit, logarithmic);
+}
+
+MeBool MEAPI RPanelSlider(const char *label, MeReal *value, MeReal low, MeReal high, const char *unit) {
+    return slider(__func__, label, value, low, high, unit, false);
+}
+
+MeBool MEAPI RPanelScale(const char *label, MeReal *value, MeReal low, MeReal high, const char *unit) {
+    return slider(__func__, label, value, low, high, unit, true);
 }
 
 MeBool MEAPI RPanelWhole(const char *label, int *value, int low, int high) {

@@ -26,6 +26,9 @@ typedef struct MstDebugDraw {
                           const float color[4]);
     void(MEAPI *text)(void *userdata, const MeVector3 p, const char *text, const float color[4]);
     void *userdata; /**< Passed to each function. */
+    /** Length of a contact force's arrow, m for each N; 0, the default: as MstDebugForces says. */
+    MeReal forceLength;
+    MdtBodyID only; /**< Draws only this body, its models, contacts and joints. Null, the default: everything. */
 } MstDebugDraw;
 
 /** What to draw; values may be added. Lengths are in units of the length scale L. */
@@ -34,7 +37,7 @@ typedef enum MstDebugLayer {
     MstDebugBoxes = 2,          /**< Axis-aligned bounding boxes of models, as of the last update; not of planes. */
     MstDebugContacts = 4,       /**< A point and the normal, 0.2 L long; the point is red where the models penetrate. */
     MstDebugForces = 8,         /**< Contact forces, divided by the mass of the first moving body: 0.1 L for each
-                                     L/s². */
+                                     L/s²; or not divided, with MstDebugDraw::forceLength. */
     MstDebugJoints = 16,        /**< A line from each body's centre of mass to the joint, and the joint's axis: 0.4 L,
                                      with a head. For hinges and sliders also an orange arrow: the direction in which
                                      the first body moves (the second, if the first is the world) as the coordinate
@@ -56,7 +59,8 @@ typedef enum MstDebugLayer {
 /** @name Drawing
  *  If several of MstDebugPartitions, MstDebugSleep and MstDebugSolver are given, the last one determines the colour.
  *  @{ */
-/** Draws a universe. A null or destroyed universe, a null table, or unknown layers get a warning. */
+/** Draws a universe. A null or destroyed universe, a null table, unknown layers, or a force length below 0 get a
+ *  warning, and nothing is drawn. */
 MEPUBLIC void MEAPI MstDebugDrawUniverse(const MstUniverseID u, const unsigned int layers, const MstDebugDraw *draw);
 /** Draws a world and a space that belong to no universe; either may be null. */
 MEPUBLIC void MEAPI MstDebugDrawParts(const MdtWorldID w, const McdSpaceID s, const MeReal lengthScale,

@@ -66,21 +66,23 @@ def check_panels(window, at):
         window.wait_for(f'{what} changes', ready)
 
     window.send('key', 'F9')
-    change('substeps', (150, 124))
-    change('solver', (90, 149), (60, 198))
-    change('budget', (30, 174))
-    change('sleeps', (28, 199))
-    window.send(*at(140, 243), 'click', '1')
-    change('friction', (120, 268))
-    change('restitution', (120, 293))
+    change('substeps', (800, 414))
+    change('solver', (740, 439), (710, 488))
+    change('budget', (690, 464))
+    change('sleeps', (690, 489))
+    window.send(*at(750, 537), 'click', '1')
+    change('friction', (760, 562))
+    change('restitution', (760, 587))
     # In the panel "Viewer", the last of the panels' names.
-    window.send(*at(672, 361), 'click', '1')
+    window.send(*at(690, 335), 'click', '1')
     window.expect('report 1')
-    window.send(*at(672, 361), 'click', '1')
+    window.send(*at(800, 300), 'click', *['--repeat', '60', '4'])  # the column had scrolled to the report
+    let_frames_pass(window)
+    window.send(*at(690, 335), 'click', '1')
     window.wait_for('the report is off', lambda: value(window, 'report') == 0)
     # The first panel is "Simulation", its first line the slider of gravity.
-    window.wait_for('the slider moves', lambda: window.send(*at(60, 104), 'mousedown', '1') is not None and
-                    (window.send(*at(70, 104), 'mouseup', '1') or True) and value(window, 'gravity') > -9)
+    window.wait_for('the slider moves', lambda: window.send(*at(710, 389), 'mousedown', '1') is not None and
+                    (window.send(*at(725, 389), 'mouseup', '1') or True) and value(window, 'gravity') > -9)
 
 
 with server() as display, tempfile.TemporaryDirectory() as scratch:

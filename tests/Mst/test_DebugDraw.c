@@ -57,7 +57,8 @@ static void MEAPI onText(void *userdata, const MeVector3 p, const char *text, co
     snprintf(m->text, sizeof m->text, "%s", text);
 }
 
-static const MstDebugDraw table = {onLine, onPoint, onTriangle, onText, marks};
+static const MstDebugDraw table = {
+    .line = onLine, .point = onPoint, .triangle = onTriangle, .text = onText, .userdata = marks};
 
 static int draw(unsigned int layers) {
     count = 0;
@@ -119,6 +120,53 @@ TEST(contacts_and_their_forces) {
     for (int i = 0; i < count; i += 3) /* An arrow is three lines, its shaft first. */
         sum += marks[i].p[1][2] - marks[i].p[0][2];
     assert_near(sum, 0.1 * 9.81, TOL(1e-4, 1e-6));
+}
+
+/* With a length of 1 N, a body of any mass has arrows as long as its weight says. */
+TEST(forces_have_a_scale) {
+    static const double lengths[] = {0.001, 0.5};
+    MstDebugDraw scaled = table;
+    floorUnder();
+    box(0, 0, 0.5);
+    run(5);
+    for (int k = 0; k < 2; k++) {
+        double sum = 0;
+        scaled.forceLength = (MeReal)lengths[k];
+        count = 0;
+        MstDebugDrawUniverse(u, MstDebugForces, &scaled);
+        for (int i = 0; i < count; i += 3)
+            sum += marks[i].p[1][2] - marks[i].p[0][2];
+        assert_near(sum / lengths[k], 2 * 9.81, TOL(1e-3, 1e-5));
+    }
+    scaled.forceLength = -1;
+    MstDebugDrawUniverse(u, MstDebugForces, &scaled);
+    assert_warned("MstDebugDrawUniverse: forceLength");
+}
+
+/* Of one body, each layer draws what it draws of all bodies, without that of the others. */
+TEST(one_body_alone) {
+    enum { LAYERS = 12 };
+    MstDebugDraw alone = table;
+    floorUnder();
+    alone.only = McdModelGetBody(box(0, 0, 0.5));
+    const MdtHingeID hinge = MdtHingeCreate(u->world);
+    MdtHingeSetBodies(hinge, alone.only, 0);
+    MdtHingeSetAxis(hinge, 0, 0, 1);
+    MdtHingeEnable(hinge);
+    const McdModelID other = box(9, 0, 0.5);
+    MdtBodySetAngularVelocity(McdModelGetBody(other), 0, 0, 1);
+    MdtBodySetAngularVelocity(alone.only, 0, 0, 1);
+    MdtWorldEnableReport(u->world);
+    run(5);
+    for (int i = 0; i < LAYERS; i++) {
+        const int all = draw(1u << i);
+        count = 0;
+        MstDebugDrawUniverse(u, 1u << i, &alone);
+        ck_assert_int_gt(count, i == 5 ? -1 : 0); /* The hinge has no limits. */
+        ck_assert(count < all || i == 4 || i == 5);
+        for (int k = 0; k < count; k++)
+            assert_below(marks[k].p[0][0], 5);
+    }
 }
 
 TEST(boxes_and_shapes) {

@@ -176,6 +176,7 @@ static void fill_MstDebugDraw(void *record, FuzzRandom *random) {
     memset(draw, 0, sizeof *draw);
     draw->line = fuzzChance(random, 80) ? drawLine : NULL;
     draw->text = fuzzChance(random, 80) ? drawText : NULL;
+    draw->forceLength = fuzzChance(random, 50) ? 0 : (MeReal)fuzzReal(random);
 }
 
 /* Of as many vertices or materials as a mesh may have here (LIMITS in calls.py), and a few that it has not. */

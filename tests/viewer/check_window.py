@@ -66,7 +66,7 @@ def check_panels(program, display, directory):
     window.expect('tick 3')
     window.send('key', 'F9')
     window.expect('panel seen')
-    window.send('mousemove', '--window', name, '40', '104', 'click', '1')
+    window.send('mousemove', '--window', name, '690', '340', 'click', '1')
     window.expect('panel button')
     if 'pressed at' in window.output():
         fail('the program got the click on the panel too')

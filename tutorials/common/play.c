@@ -6,7 +6,7 @@
 MeApp *playApp;
 RRender *playRc;
 MstUniverseID playUniverse;
-const MeReal playFrame = (MeReal)(1.0 / 60);
+MeReal playFrame = (MeReal)(1.0 / 60);
 
 static MeMatrix4 floorTM;
 static MeBool showContacts;
@@ -72,6 +72,7 @@ MeBool playStart(int argc, const char **argv, const char *name, int models) {
         return MEFALSE;
     atexit(cleanup);
     playRc = playApp->rc;
+    MeAppSetStepPtr(playApp, &playFrame);
     RCameraSetUp(playRc, 0, 1, 0);
     playUniverse = MeAppGetMstUniverse(playApp);
     snprintf(title, sizeof title, "Karma tutorial: %s", name);

@@ -14,7 +14,7 @@
 extern MeApp *playApp;
 extern RRender *playRc; /* playApp's context */
 extern MstUniverseID playUniverse;
-extern const MeReal playFrame; /* s, length of a step: 1/60 */
+extern MeReal playFrame; /* s, length of a step: 1/60, until the user sets another one */
 
 /* Creates the viewer and a universe with room for a number of moving models; false if there is nothing to draw on.
  * Contacts have the friction cone, coefficient .5, and no restitution. */

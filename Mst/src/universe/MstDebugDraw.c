@@ -30,6 +30,10 @@ static MeBool isDrawn(const Drawing *d, unsigned int layers) {
     return (d->layers & layers) != 0;
 }
 
+static MeBool isOfBody(const Drawing *d, MdtBodyID b) {
+    return !d->to->only || d->to->only == b;
+}
+
 /* ---- calls of the program's functions ---------------------------------------------------------------------------- */
 
 /* Calls a function of the program's table unless it is null. The function may change nothing. */
@@ -138,33 +142,38 @@ static void nameModel(const Drawing *d, McdModelID m, int number) {
         drawText(d, low, words, white);
 }
 
+static void drawModel(const Drawing *d, McdModelID m, int number) {
+    const float *color = outlineColor(d, McdModelGetBody(m));
+    if (color)
+        drawOutline(d, m, kMcduDebugDrawDetail, color);
+    if (isDrawn(d, MstDebugBoxes) && McdModelGetGeometryType(m) != kMcdGeometryTypePlane)
+        drawOutline(d, m, kMcduDebugDrawAABB, cyan);
+    if (isDrawn(d, MstDebugNames))
+        nameModel(d, m, number);
+}
+
 static void drawModels(const Drawing *d, McdSpaceID s) {
     McdSpaceModelIterator it;
     McdModelID m;
     int number = 0;
     McdSpaceModelIteratorBegin(s, &it);
-    while (McdSpaceGetModel(s, &it, &m)) {
-        const float *color = outlineColor(d, McdModelGetBody(m));
-        if (color)
-            drawOutline(d, m, kMcduDebugDrawDetail, color);
-        if (isDrawn(d, MstDebugBoxes) && McdModelGetGeometryType(m) != kMcdGeometryTypePlane)
-            drawOutline(d, m, kMcduDebugDrawAABB, cyan);
-        if (isDrawn(d, MstDebugNames))
-            nameModel(d, m, number);
-        number++;
-    }
+    for (; McdSpaceGetModel(s, &it, &m); number++)
+        if (isOfBody(d, McdModelGetBody(m)))
+            drawModel(d, m, number);
 }
 
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
-/* Draws a contact's force divided by the body's mass: the weights of 1 kg and of 1000 kg have the same length. */
+/* Draws a contact's force; without a length of 1 N divided by the body's mass: the weights of 1 kg and of 1000 kg have
+ * the same length. */
 static void drawForce(const Drawing *d, MdtConstraintID c, const MeVector3 at) {
     MeVector3 f;
     const unsigned int side = MdtConstraintGetBody(c, 0) ? 0 : 1;
     const MdtBodyID b = MdtConstraintGetBody(c, side);
     MdtConstraintGetForce(c, side, f);
+    const MeReal length = d->to->forceLength;
     if (b && MeVector3MagnitudeSqr(f) > 0)
-        drawArrow(d, at, f, (MeReal)0.1 / MdtBodyGetMass(b), red);
+        drawArrow(d, at, f, length > 0 ? length : (MeReal)0.1 / MdtBodyGetMass(b), red);
 }
 
 static void drawContact(const Drawing *d, MdtContactID c) {
@@ -429,7 +438,11 @@ static MeBool areArgumentsValid(const char *function, unsigned int layers, const
         MeWarning(1, "%s: draw is null", function);
     else if (layers & ~(unsigned int)MstDebugAll)
         MeWarning(1, "%s: layers is %u: it must be a sum of MstDebugLayer", function, layers);
-    return to && !(layers & ~(unsigned int)MstDebugAll);
+    else if (!(to->forceLength >= 0) || !MeRealIsValid(to->forceLength))
+        MeWarning(1, "%s: forceLength is %g: it must be 0 or positive", function, (double)to->forceLength);
+    else
+        return METRUE;
+    return MEFALSE;
 }
 
 static void drawAll(const Drawing *d, MdtWorldID w, McdSpaceID s) {
@@ -439,9 +452,11 @@ static void drawAll(const Drawing *d, MdtWorldID w, McdSpaceID s) {
     if (!w)
         return;
     for (MdtConstraintID c = MdtConstraintGetFirst(w); c; c = MdtConstraintGetNext(c))
-        drawConstraint(d, c);
+        if (isOfBody(d, MdtConstraintGetBody(c, 0)) || isOfBody(d, MdtConstraintGetBody(c, 1)))
+            drawConstraint(d, c);
     for (MdtBodyID b = MdtBodyGetFirst(w); b; b = MdtBodyGetNext(b))
-        drawBody(d, b);
+        if (isOfBody(d, b))
+            drawBody(d, b);
 }
 
 void MEAPI MstDebugDrawParts(const MdtWorldID w, const McdSpaceID s, const MeReal lengthScale,
