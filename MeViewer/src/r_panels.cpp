@@ -359,6 +359,7 @@ static bool handleKey(ImGuiIO &io, const REvent *e) {
     if (!io.WantTextInput || e->key <= RKEY_NONE || e->key >= RKEY_COUNT)
         return false;
     io.KeysDown[e->key] = true;
+    io.KeyCtrl = (e->modifiers & RCONTROL) != 0;
     if (e->key >= ' ' && e->key < 127 && !(e->modifiers & RCONTROL))
         io.AddInputCharacter(static_cast<unsigned>(e->key));
     return true;

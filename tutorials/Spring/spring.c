@@ -11,7 +11,8 @@
  *     elastic   nothing (stiffness 0)       pulls (soft); or, after key 4, it cannot be compressed (lower stop hard)
  *
  * The balls start alike, above the beam, as far from their hooks as the natural length. The lines show where they went:
- * the rod's ball swings round in a circle, the string's falls freely until the string is taut.
+ * the rod's ball swings round in a circle, the string's falls freely until the string is taut. A rope without mass is
+ * such a string.
  * Try: key 3 hangs them up; the arrow keys make the spring and the elastic stiffer, and damp them.
  */
 #include "Mdt.h"

@@ -25,7 +25,7 @@
 #include <strings.h>
 
 typedef struct Tutorial {
-    const char *name, *text;
+    const char *name, *text, *head; /* the first sentence; all of the source's first comment */
 } Tutorial;
 static const Tutorial tutorial[] = {
 #include "browser_names.h"
@@ -166,8 +166,22 @@ static void choose(RRender *rc, int which) {
     RRenderQuit(rc);
 }
 
+/* Does a word of the text begin with these letters? */
+static MeBool hasWord(const char *text, const char *letters) {
+    const char *at = text;
+    while ((at = strcasestr(at, letters)) != NULL && at > text && isalnum((unsigned char)at[-1]))
+        at++;
+    return at != NULL;
+}
+
+/* Each word of the search is in the name, or begins a word of what is said of it. */
 static MeBool matches(const Tutorial *t) {
-    return strcasestr(t->name, search) || strcasestr(t->text, search);
+    char words[sizeof search];
+    MeBool isFound = METRUE;
+    snprintf(words, sizeof words, "%s", search);
+    for (const char *word = strtok(words, " "); word && isFound; word = strtok(0, " "))
+        isFound = strcasestr(t->name, word) || hasWord(t->head, word);
+    return isFound;
 }
 
 /* Is the pointer on it? */
@@ -179,8 +193,8 @@ static MeBool showLine(RRender *rc, int which) {
 
 /* Returns the tutorial that the pointer is on, or the one that runs. */
 static int showList(RRender *rc) {
-    enum { LINES = 10 };
-    int place = 0, pointed = here;
+    enum { LINES = 12 };
+    int place = 0, pointed = here, found = 0;
     RPanelListBegin("tutorials", LINES);
     for (int c = 0; c < CATEGORIES; c++) {
         MeBool isTitled = MEFALSE;
@@ -189,6 +203,7 @@ static int showList(RRender *rc) {
                 if (!isTitled)
                     RPanelHeading(category[c].title);
                 isTitled = METRUE;
+                found++;
                 if (showLine(rc, order[place]))
                     pointed = order[place];
             }
@@ -196,6 +211,8 @@ static int showList(RRender *rc) {
             at += strspn(at, " ");
         }
     }
+    if (!found)
+        RPanelText("Nothing is found.");
     RPanelListEnd();
     return pointed;
 }
