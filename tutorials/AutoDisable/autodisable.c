@@ -6,6 +6,7 @@
  */
 #include "box_on_plane.h"
 #include "MeViewer.h"
+#include "RMark.h"
 #include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -90,6 +91,16 @@ static void createDynamics(void) {
     }
 }
 
+static void MEAPI nameColors(RRender *context, void *userdata) {
+    static const float dark[4] = {.10f, .12f, .15f, 1};
+    static const MeVector3 place[2] = {{(MeReal)-5.5, 1, -3}, {(MeReal)-5.5, (MeReal)0.5, -3}};
+    (void)userdata;
+    RMarkPoint(context, place[0], RPalette[7], 12);
+    RMarkText(context, place[0], "  at rest, disabled", dark);
+    RMarkPoint(context, place[1], RPalette[1], 12);
+    RMarkText(context, place[1], "  coloured: enabled", dark);
+}
+
 static void createGraphics(void) {
     const float ground[4] = {.82f, .83f, .80f, 1};
     const AcmeVector3 lookAt = {0, .6f, 0};
@@ -98,7 +109,8 @@ static void createGraphics(void) {
                                     MdtBodyGetTransformPtr(box[i].body));
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 13, .4f, .4f);
+    RCameraSetView(rc, 10.5f, .4f, .36f);
+    RRenderSetMarkCallBack(rc, nameColors, 0);
 }
 
 static void createControls(void) {

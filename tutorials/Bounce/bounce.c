@@ -136,7 +136,7 @@ static void createGraphics(void) {
     RGraphicTorusCreate(rc, r * .92f, r * 1.04f, RPalette[4], tm);
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 15, .25f, .22f);
+    RCameraSetView(rc, 11, .2f, .18f);
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {

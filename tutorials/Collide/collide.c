@@ -12,6 +12,7 @@
 #include "RGeometry.h"
 #include "Mcd.h"
 #include "MeViewer.h"
+#include "RMark.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -59,6 +60,7 @@ static MeBool hasGap;
 
 static RRender *rc;
 static RGraphic *drivenGraphic, *fixedGraphic;
+static const float drivenColor[4] = {.10f, .32f, .80f, .65f};
 
 /* ---- geometries ------------------------------------------------------------------------------------------------- */
 
@@ -216,16 +218,15 @@ static void standFixed(void) {
 }
 
 static void chooseDriven(int kind) {
-    static const float blue[4] = {.25f, .45f, .85f, .4f};
     drivenKind = kind;
     standDriven();
     driven = makeModel(driven, kind, drivenTM);
     drop(&drivenGraphic);
-    drivenGraphic = RGraphicCreateFromModel(rc, driven, blue);
+    drivenGraphic = RGraphicCreateFromModel(rc, driven, drivenColor);
 }
 
 static void chooseFixed(int kind) {
-    static const float orange[4] = {.95f, .60f, .20f, .4f}, sand[4] = {.85f, .75f, .55f, 1};
+    static const float orange[4] = {.95f, .50f, .10f, .75f}, sand[4] = {.85f, .75f, .55f, 1};
     fixedKind = kind;
     standFixed();
     fixed = makeModel(fixed, kind, fixedTM);
@@ -366,9 +367,9 @@ static void collide(void) {
     hasGap = McdDistance(pair, &gap);
 }
 
-static void line(const MeReal *a, const MeReal *b, float red, float green, float blue) {
-    const AcmeVector3 from = {(float)a[0], (float)a[1], (float)a[2]}, to = {(float)b[0], (float)b[1], (float)b[2]};
-    RLineAdd(rc, from, to, red, green, blue);
+static void line(const MeVector3 a, const MeVector3 b, float red, float green, float blue) {
+    const float color[4] = {red, green, blue, 1};
+    RMarkLine(rc, a, b, color, 3);
 }
 
 /* A cross at the contact and a line along its normal. */
@@ -386,14 +387,18 @@ static void drawContact(const McdContact *c) {
     line(c->position, b, 1, .9f, .2f);
 }
 
-static void draw(void) {
-    static const float apart[4] = {.25f, .45f, .85f, .4f}, touching[4] = {.85f, .25f, .25f, .4f};
-    RLineRemoveAll(rc);
+/* Over the picture, so that no shape hides them. */
+static void MEAPI drawMarks(RRender *context, void *userdata) {
+    (void)context, (void)userdata;
     for (int i = 0; i < touch.contactCount; i++)
         drawContact(&contact[i]);
     if (hasGap)
-        line(gap.position1, gap.position2, .2f, .9f, .3f);
-    RGraphicSetColor(drivenGraphic, touch.contactCount ? touching : apart);
+        line(gap.position1, gap.position2, .1f, .75f, .2f);
+}
+
+static void showTouch(void) {
+    static const float touching[4] = {.85f, .12f, .10f, .65f};
+    RGraphicSetColor(drivenGraphic, touch.contactCount ? touching : drivenColor);
 }
 
 static double deepestSeparation(void) {
@@ -419,7 +424,7 @@ static void MEAPI Tick(RRender *context) {
     (void)context;
     showItself();
     collide();
-    draw();
+    showTouch();
     showFigures();
 }
 
@@ -434,9 +439,12 @@ static void MEAPI_CDECL cleanup(void) {
 }
 
 static void createGraphics(void) {
-    const AcmeVector3 lookAt = {0, .8f, 0};
+    static const float ground[4] = {.82f, .83f, .80f, 1};
+    const AcmeVector3 lookAt = {0, .5f, 0};
+    RGraphicGroundPlaneCreate(rc, 60, 2, ground, -1.6f);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 8, .5f, .35f);
+    RCameraSetView(rc, 6.2f, .5f, .35f);
+    RRenderSetMarkCallBack(rc, drawMarks, 0);
 }
 
 static void createControls(void) {

@@ -11,6 +11,7 @@
  */
 #include "box_on_plane.h"
 #include "MeViewer.h"
+#include "RMark.h"
 #include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -147,6 +148,19 @@ static void createDynamics(void) {
     setCoefficient();
 }
 
+/* What each box is, above it. */
+static void MEAPI nameBoxes(RRender *context, void *userdata) {
+    static const float dark[4] = {.10f, .12f, .15f, 1};
+    static const char *const names[MODELS] = {"box", "normal force", "cone"};
+    (void)userdata;
+    for (int i = 0; i < MODELS; i++) {
+        MeVector3 above;
+        MeVector3Copy(above, MdtBodyGetTransformPtr(box[i].body)[3]);
+        above[1] += (MeReal)0.8 * size[1];
+        RMarkText(context, above, names[i], dark);
+    }
+}
+
 static void createGraphics(void) {
     const float ground[4] = {.82f, .83f, .80f, 1}, wood[4] = {.80f, .74f, .64f, 1};
     const AcmeVector3 lookAt = {0, 2.4f, 0};
@@ -156,7 +170,8 @@ static void createGraphics(void) {
                           MdtBodyGetTransformPtr(box[i].body));
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, -.3f);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 17, .35f, .35f);
+    RCameraSetView(rc, 14.5f, .35f, .35f);
+    RRenderSetMarkCallBack(rc, nameBoxes, 0);
 }
 
 static void createControls(void) {

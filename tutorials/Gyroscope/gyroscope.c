@@ -169,7 +169,7 @@ static void createGraphics(void) {
 
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 9.5f, .3f, .2f);
+    RCameraSetView(rc, 7, .3f, .18f);
 }
 
 static void createControls(void) {

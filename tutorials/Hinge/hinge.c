@@ -9,6 +9,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RMark.h"
 #include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -157,6 +158,19 @@ static void createStops(void) {
     showStops();
 }
 
+/* The bars are seen faintly while the stops are off. */
+static void MEAPI nameStops(RRender *context, void *userdata) {
+    static const float dark[4] = {.10f, .12f, .15f, 1};
+    static const char *const names[3] = {"stop (off)", "hard stop", "soft stop"};
+    (void)userdata;
+    for (int i = 0; i < 2; i++) {
+        MeVector3 place;
+        MeVector3Copy(place, stopTM[i][3]);
+        place[0] += size[0] * (MeReal)0.65;
+        RMarkText(context, place, names[MdtLimitIsActive(limit) ? 1 + isSoft : 0], dark);
+    }
+}
+
 /* Two posts and an axle that carry the plate. */
 static void createStand(void) {
     const float grey[4] = {.45f, .47f, .50f, 1};
@@ -181,7 +195,8 @@ static void createGraphics(void) {
     createStand();
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 12, 1.05f, .2f);
+    RCameraSetView(rc, 9.5f, 1.05f, .2f);
+    RRenderSetMarkCallBack(rc, nameStops, 0);
 }
 
 static void createControls(void) {

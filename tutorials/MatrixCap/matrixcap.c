@@ -8,6 +8,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RMark.h"
 #include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -125,6 +126,18 @@ static void drawContacts(void) {
     }
 }
 
+static void MEAPI nameColors(RRender *context, void *userdata) {
+    static const float dark[4] = {.10f, .12f, .15f, 1};
+    static const char *const names[3] = {"  left out", "  without friction: 1 row", "  with friction: 3 rows"};
+    static const int color[3] = {3, 4, 2};
+    (void)userdata;
+    for (int i = 0; i < 3; i++) {
+        const MeVector3 place = {(MeReal)1.6, (MeReal)3.7 + (MeReal)0.35 * (MeReal)i, 0};
+        RMarkPoint(context, place, RPalette[color[i]], 12);
+        RMarkText(context, place, names[i], dark);
+    }
+}
+
 static void showFigures(void) {
     char text[160];
     int with[3] = {0, 0, 0};
@@ -182,7 +195,8 @@ static void createGraphics(void) {
         RGraphicSphereCreate(rc, (float)radius, RPalette[5], MdtBodyGetTransformPtr(ball[i]));
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 10, .2f, .12f);
+    RCameraSetView(rc, 8.5f, .2f, .12f);
+    RRenderSetMarkCallBack(rc, nameColors, 0);
 }
 
 static void createControls(void) {

@@ -7,6 +7,7 @@
  */
 #include "box_on_plane.h"
 #include "MeViewer.h"
+#include "RMark.h"
 #include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -118,10 +119,23 @@ static void createDynamics(void) {
     applySpeed(0, 0);
 }
 
+/* What each box is, beside it. */
+static void MEAPI nameBoxes(RRender *context, void *userdata) {
+    static const float white[4] = {1, 1, 1, 1};
+    static const char *const names[BOXES] = {"friction 0.1", "friction 0.3", "friction 0.9"};
+    (void)userdata;
+    for (int i = 0; i < BOXES; i++) {
+        MeVector3 beside;
+        MeVector3Copy(beside, MdtBodyGetTransformPtr(box[i].body)[3]);
+        beside[0] += (MeReal)0.6 * size[0]; /* beside it, over the dark belt */
+        RMarkText(context, beside, names[i], white);
+    }
+}
+
 static void createGraphics(void) {
     const float ground[4] = {.82f, .83f, .80f, 1}, grey[4] = {.45f, .47f, .50f, 1}, dark[4] = {.30f, .31f, .33f, 1};
     const float yellow[4] = {.95f, .80f, .20f, 1};
-    const AcmeVector3 lookAt = {.6f, -.4f, 0};
+    const AcmeVector3 lookAt = {.6f, 0, 0};
     static MeMatrix4 beltTM, rollerTM[2];
     MeMatrix3 R;
     MeMatrix4TMMakeIdentity(beltTM);
@@ -141,7 +155,8 @@ static void createGraphics(void) {
                           MdtBodyGetTransformPtr(box[i].body));
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 22, .3f, .65f);
+    RCameraSetView(rc, 18.5f, .3f, .68f);
+    RRenderSetMarkCallBack(rc, nameBoxes, 0);
     moveSlats();
 }
 

@@ -8,6 +8,7 @@
  */
 #include "box_on_plane.h"
 #include "MeViewer.h"
+#include "RMark.h"
 #include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -119,9 +120,22 @@ static void createDynamics(void) {
     applySlip(0, 0);
 }
 
+/* What each box is, above it. */
+static void MEAPI nameBoxes(RRender *context, void *userdata) {
+    static const float dark[4] = {.10f, .12f, .15f, 1};
+    static const char *const names[BOXES] = {"slip", "ice"};
+    (void)userdata;
+    for (int i = 0; i < BOXES; i++) {
+        MeVector3 above;
+        MeVector3Copy(above, MdtBodyGetTransformPtr(box[i].body)[3]);
+        above[1] += (MeReal)0.8 * size[1];
+        RMarkText(context, above, names[i], dark);
+    }
+}
+
 static void createGraphics(void) {
     const float ground[4] = {.82f, .83f, .80f, 1}, wet[4] = {.60f, .72f, .80f, 1}, ice[4] = {.88f, .92f, .95f, 1};
-    const AcmeVector3 lookAt = {0, .3f, 0};
+    const AcmeVector3 lookAt = {.5f, .3f, 0};
     static MeMatrix4 stripTM[BOXES];
     for (int i = 0; i < BOXES; i++) {
         MeMatrix4TMMakeIdentity(stripTM[i]);
@@ -132,7 +146,8 @@ static void createGraphics(void) {
     }
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 23, .4f, .4f);
+    RCameraSetView(rc, 18, .3f, .3f);
+    RRenderSetMarkCallBack(rc, nameBoxes, 0);
 }
 
 static void createControls(void) {

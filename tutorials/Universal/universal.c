@@ -10,6 +10,7 @@
  */
 #include "Mdt.h"
 #include "MeViewer.h"
+#include "RMark.h"
 #include "RParameter.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -273,6 +274,24 @@ static void createShaftGraphics(void) {
     }
 }
 
+static void nameOnChart(MeReal angle, MeReal ratio, const char *text, const float color[4]) {
+    AcmeVector3 p;
+    chartPoint(angle, ratio, p);
+    const MeVector3 place = {(MeReal)p[0], (MeReal)p[1], (MeReal)p[2]};
+    RMarkText(rc, place, text, color);
+}
+
+static void MEAPI nameChart(RRender *context, void *userdata) {
+    static const char *const ticks[] = {"0.5", "1", "1.5", "2"};
+    static const float dark[4] = {.10f, .12f, .15f, 1};
+    (void)context, (void)userdata;
+    for (int i = 0; i < 4; i++)
+        nameOnChart((MeReal)-0.5, (MeReal)(0.5 * (i + 1)) - (MeReal)0.08, ticks[i], dark);
+    nameOnChart(0, (MeReal)2.25, "speed of the shafts over that of the first, in one turn of it", dark);
+    nameOnChart((MeReal)6.3, (MeReal)1.35, "middle (orange)", dark);
+    nameOnChart((MeReal)6.3, (MeReal)0.92, "last (green)", dark);
+}
+
 static void createGraphics(void) {
     const float ground[4] = {.82f, .83f, .80f, 1}, grey[4] = {.55f, .57f, .60f, 1};
     const AcmeVector3 lookAt = {0, 2.3f, 0};
@@ -297,7 +316,8 @@ static void createGraphics(void) {
     }
     RGraphicGroundPlaneCreate(rc, 60, 2, ground, 0);
     RCameraSetLookAt(rc, lookAt);
-    RCameraSetView(rc, 9.2f, .35f, .13f);
+    RCameraSetView(rc, 8.6f, .3f, .12f);
+    RRenderSetMarkCallBack(rc, nameChart, 0);
 }
 
 static void createControls(void) {
