@@ -133,7 +133,7 @@ static void showForceLength(MeApp *app) {
     MeAppControls *c = app->controls;
     if (!(c->forceLength > 0))
         return;
-    meapp_say("1 m of an arrow is %.3g N", 1 / (double)c->forceLength);
+    meapp_say("1 m of an arrow is %.7g N", 1 / (double)c->forceLength);
     if (RPanelButton("longer"))
         c->forceLength = (MeReal)lengthOf(numberOf(c->forceLength) + 1);
     RPanelSameLine();

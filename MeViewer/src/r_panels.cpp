@@ -255,16 +255,16 @@ static int buttonIndex(int which) {
 }
 
 /* ImGui is told the state of the buttons and no events: two clicks in one slow frame would be none, or one. So it
- * learns of one press or release at a time, and of all moves before. */
+ * learns of one press or release at a time, a frame after the moves before it: what has a button upon it takes no click
+ * unless the pointer was on it in the frame before. */
 static void feedMouse(RPanels *p, ImGuiIO &io) {
     size_t n = 0;
-    bool changed = false;
-    while (n < p->mouse.count && !changed) {
+    for (; n < p->mouse.count && p->mouse.items[n].kind == rMouseMove; n++)
+        io.MousePos = ImVec2(static_cast<float>(p->mouse.items[n].x), static_cast<float>(p->mouse.items[n].y));
+    if (n == 0 && p->mouse.count) {
         const REvent *e = &p->mouse.items[n++];
         io.MousePos = ImVec2(static_cast<float>(e->x), static_cast<float>(e->y));
-        changed = e->kind != rMouseMove;
-        if (changed)
-            io.MouseDown[buttonIndex(e->which)] = e->kind == rMouseDown;
+        io.MouseDown[buttonIndex(e->which)] = e->kind == rMouseDown;
     }
     p->mouse.count -= n;
     if (p->mouse.count)

@@ -19,9 +19,9 @@ def value(window, what):
 
 
 def let_frames_pass(window):
-    """A list opens in the frame after the click."""
+    """The pointer is moved, the button goes down and up, and a list opens: each in a frame of its own."""
     frame = value(window, 'frame')
-    window.wait_for('three frames', lambda: value(window, 'frame') >= frame + 3)
+    window.wait_for('six frames', lambda: value(window, 'frame') >= frame + 6)
 
 
 def check(program, display, directory):
@@ -46,13 +46,14 @@ def check(program, display, directory):
     window.send('key', 'space')
     window.expect('bodies 3')
     check_panels(window, at)
+    check_inspector(window, at)
+    check_layers(window, at)
     window.send('key', 'Escape')
     if window.end() != 0 or 'cleanup' not in window.output():
         fail(f'the program did not end well:\n{window.output()}')
 
 
-def check_panels(window, at):
-    """Every setting of the panel "Simulation"; and the report, which is on while its panel is seen."""
+def changer(window, at):
     def change(what, *places):
         """Clicks, one after the other, until the program tells of another value."""
         told = lambda: len(re.findall(rf'^{what} ', window.output(), flags=re.M))
@@ -64,8 +65,14 @@ def check_panels(window, at):
                 let_frames_pass(window)
             return told() > before
         window.wait_for(f'{what} changes', ready)
+    return change
 
+
+def check_panels(window, at):
+    """Every setting of the panel "Simulation"; and the report, which is on while its panel is seen."""
+    change = changer(window, at)
     window.send('key', 'F9')
+    let_frames_pass(window)
     change('substeps', (800, 414))
     change('solver', (740, 439), (710, 488))
     change('budget', (690, 464))
@@ -81,8 +88,48 @@ def check_panels(window, at):
     window.send(*at(690, 335), 'click', '1')
     window.wait_for('the report is off', lambda: value(window, 'report') == 0)
     # The first panel is "Simulation", its first line the slider of gravity.
-    window.wait_for('the slider moves', lambda: window.send(*at(710, 389), 'mousedown', '1') is not None and
-                    (window.send(*at(725, 389), 'mouseup', '1') or True) and value(window, 'gravity') > -9)
+    def slide():
+        window.send(*at(710, 389), 'mousedown', '1')
+        let_frames_pass(window)
+        window.send(*at(712, 389), 'mouseup', '1')
+        let_frames_pass(window)
+        return value(window, 'gravity') > -9
+    window.wait_for('the slider moves', slide)
+
+
+def check_inspector(window, at):
+    """Settings of the box that was clicked: in the panel "Inspector", the last one when "Viewer" and "Simulation" are
+    folded."""
+    change = changer(window, at)
+    for y in (18, 47):
+        window.send(*at(800, y), 'click', '1')
+        let_frames_pass(window)
+    change('velocity', (790, 149))
+    change('mass', (700, 124))
+    if value(window, 'mass') > 4000:
+        fail(f'the mass is {value(window, "mass")}')
+    change('swept', (690, 249))
+    change('friction', (790, 274))
+
+
+def check_layers(window, at):
+    """The arrows of contact forces are fitted to them, and made longer and shorter by hand."""
+    change = changer(window, at)
+    window.send(*at(800, 18), 'click', '1')
+    let_frames_pass(window)
+    window.send(*at(690, 310), 'click', '1')  # in "Viewer": the panel "Layers"
+    let_frames_pass(window)
+    window.send(*at(800, 300), 'click', *['--repeat', '60', '4'])
+    for y in (18, 76):  # folds "Viewer" and "Inspector"
+        window.send(*at(800, y), 'click', '1')
+        let_frames_pass(window)
+    change('forceLength', (690, 230))
+    before = value(window, 'forceLength')
+    change('forceLength', (705, 274))
+    if not 1.9 * before < value(window, 'forceLength') < 2.6 * before:
+        fail(f'forces became {value(window, "forceLength")} long from {before}')
+    change('forceLength', (765, 274))
+    change('selectedOnly', (690, 130))
 
 
 with server() as display, tempfile.TemporaryDirectory() as scratch:

@@ -2,12 +2,14 @@
  * on stdout what has changed since the tick before. `-layers` draws all layers. */
 #include "MeApp.h"
 #include "leaks.h"
+#include "me_app_i.h"
 #include <stdio.h>
 #include <stdlib.h>
 
 static RRender *rc;
 static MstUniverseID u;
 static MeApp *app;
+static McdModelID box;
 static MeMatrix4 floorTM = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
 
 static void sayIfNew(const char *what, double now, double *before) {
@@ -20,7 +22,8 @@ static void sayIfNew(const char *what, double now, double *before) {
 
 static void MEAPI tick(RRender *context) {
     static double frame, selected, bodies, gravity, distance, angle, held, substeps, solver, budget, sleeps, friction,
-        restitution, report;
+        restitution, report, mass, velocity, swept, forceLength, selectedOnly;
+    const MdtBodyID boxBody = McdModelGetBody(box);
     const MdtContactParamsID params = MstBridgeGetContactParams(u->bridge, 0, 0);
     MeVector3 g;
     MdtWorldGetGravity(u->world, g);
@@ -36,6 +39,12 @@ static void MEAPI tick(RRender *context) {
     sayIfNew("friction", MdtContactParamsGetPrimaryFrictionCoeffecient(params), &friction);
     sayIfNew("restitution", MdtContactParamsGetRestitution(params), &restitution);
     sayIfNew("report", MdtWorldReportIsEnabled(u->world), &report);
+    sayIfNew("mass", MdtBodyGetMass(boxBody), &mass);
+    MdtBodyGetLinearVelocity(boxBody, g);
+    sayIfNew("velocity", round(g[0]), &velocity);
+    sayIfNew("swept", McdModelIsSwept(box), &swept);
+    sayIfNew("forceLength", app->controls->forceLength * 1e6, &forceLength);
+    sayIfNew("selectedOnly", app->controls->selectedOnly, &selectedOnly);
     sayIfNew("distance", RCameraGetDistance(context), &distance);
     sayIfNew("angle", RCameraGetRotation(context), &angle);
     MeAppStep(app);
@@ -65,7 +74,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     MeAppCreateControls(app);
     MdtWorldSetGravity(u->world, 0, -9.81, 0);
     MstFixedModelCreate(u, McdPlaneCreate(u->frame), floorTM);
-    McdModelID box = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 2, 2, 2), 1000);
+    box = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 2, 2, 2), 1000);
     McdModelDynamicsSetPosition(box, 0, 1, 0);
     MdtHingeID hinge = MdtHingeCreate(u->world);
     McdModelID door = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 1, 1, 0.1), 1000);

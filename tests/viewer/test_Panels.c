@@ -147,7 +147,7 @@ TEST(clicks_in_one_frame_are_all_counted) {
         r_post(rc, (REvent){.kind = rMouseDown, .which = kRLeftButton, .x = X, .y = Y});
         r_post(rc, (REvent){.kind = rMouseUp, .which = kRLeftButton, .x = X, .y = Y});
     }
-    for (int i = 0; i < 8; i++)
+    for (int i = 0; i < 9; i++)
         frame();
     ck_assert_int_eq(presses, 3);
 }

@@ -114,14 +114,14 @@ static void point(REventKind kind, int x, int y) {
     frame();
 }
 
-/* Where the panel has its first slider, from x = 18 to 183, and its button. */
-enum { SLIDER_Y = 99, BUTTON_Y = 150 };
+/* Where the panel has its first slider, from x = 680 to 938, and its button. */
+enum { SLIDER_Y = 333, BUTTON_X = 700, BUTTON_Y = 380 };
 
 TEST(the_slider_goes_by_steps) {
     static const struct {
         int x;
         MeReal value;
-    } places[] = {{20, 5}, {181, 45}, {101, 25}, {60, 15}};
+    } places[] = {{684, 5}, {936, 45}, {809, 25}, {746, 15}};
     RRenderCreateParameters(rc, both, 2);
     tap(RKEY_F9);
     frame();
@@ -145,9 +145,9 @@ TEST(all_go_back_to_where_they_were_at_first) {
     calls = 0;
     tap(RKEY_F9);
     frame();
-    point(rMouseMove, 50, BUTTON_Y);
-    point(rMouseDown, 50, BUTTON_Y);
-    point(rMouseUp, 50, BUTTON_Y);
+    point(rMouseMove, BUTTON_X, BUTTON_Y);
+    point(rMouseDown, BUTTON_X, BUTTON_Y);
+    point(rMouseUp, BUTTON_X, BUTTON_Y);
     frame();
     ck_assert_double_eq(slope, 25);
     ck_assert_double_eq(weight, 100);
