@@ -167,8 +167,8 @@ MEPUBLIC void MEAPI MeAppFindClickPos(const MeApp *const app, int x, int y, MeVe
 /**
  * Sets up the controls. Dragging with the mouse pulls models (MeAppMousePickCB), or turns the camera where there is
  * none. F frames the model clicked last. Space throws a ball (MeAppThrowBall), unless the program uses it. F9 shows
- * panels: "Simulation" (gravity, rate, sub-steps, solver, budget, workers, sleep, swept models, materials), "Report" (the
- * world's report over time, switched on while the panel is visible), "Inspector" (the model clicked last, which is
+ * panels: "Simulation" (gravity, rate, sub-steps, solver, budget, workers, sleep, swept models, materials), "Report"
+ * (the world's report over time, switched on while the panel is visible), "Inspector" (the model clicked last, which is
  * outlined: its mass, velocity, sleep and friction can be set) and "Layers" (MeAppSetLayers; the arrows of contact
  * forces have a scale, and the layers can be those of the selected body alone).
  * MeAppStep must be called before each step. A second call does nothing.

@@ -10,7 +10,7 @@
 #include "RPanel.h"
 #include "me_app_i.h"
 
-/* ---- What it does ------------------------------------------------------------------------------------------------- */
+/* ---- What it does ------------------------------------------------------------------------------------------------ */
 
 static void sayVector(const char *name, const MeVector3 v, const char *unit) {
     meapp_say("%s\n   %.3f  %.3f  %.3f %s", name, (double)v[0], (double)v[1], (double)v[2], unit);
@@ -39,7 +39,7 @@ static void showMotion(MdtBodyID b) {
     meapp_say("%d constraints, %d contacts", countConstraints(b, MEFALSE), countConstraints(b, METRUE));
 }
 
-/* ---- Settings ----------------------------------------------------------------------------------------------------- */
+/* ---- Settings ---------------------------------------------------------------------------------------------------- */
 
 /* The inertia is scaled with it: as of a body of the same shape and another density. */
 static void setMass(MdtBodyID b, MeReal mass) {
@@ -64,11 +64,11 @@ static void showMass(MeAppControls *c, McdModelID m, MdtBodyID b) {
 
 static void showVelocity(const MeApp *app, MdtBodyID b) {
     static const char *const names[3] = {"velocity x", "velocity y", "velocity z"};
-    const MeReal most = 20 * app->lengthScale;
+    const MeReal max = 20 * app->lengthScale;
     MeVector3 v;
     for (int i = 0; i < 3; i++) {
         MdtBodyGetLinearVelocity(b, v);
-        if (!RPanelSlider(names[i], &v[i], -most, most, "m/s"))
+        if (!RPanelSlider(names[i], &v[i], -max, max, "m/s"))
             continue;
         MdtBodyEnable(b);
         MdtBodySetLinearVelocity(b, v[0], v[1], v[2]);
@@ -110,7 +110,7 @@ static void showSettings(MeApp *app, McdModelID m, MdtBodyID b) {
         showFriction(app, m);
 }
 
-/* ---- The panel ----------------------------------------------------------------------------------------------------- */
+/* ---- The panel --------------------------------------------------------------------------------------------------- */
 
 void MEAPI meapp_showInspector(RRender *rc, void *userdata) {
     MeApp *app = userdata;

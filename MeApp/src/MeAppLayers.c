@@ -12,7 +12,7 @@
 #include "me_app_i.h"
 #include <math.h>
 
-/* ---- How long the arrows of forces are ---------------------------------------------------------------------------- */
+/* ---- How long the arrows of forces are --------------------------------------------------------------------------- */
 
 static MeReal forceOf(MdtContactID c) {
     MeVector3 f;
@@ -56,7 +56,7 @@ static void fitForces(MeApp *app) {
         app->controls->forceLength = (MeReal)lengthOf(numberOf(2 * app->lengthScale / max));
 }
 
-/* ---- What is drawn ------------------------------------------------------------------------------------------------ */
+/* ---- What is drawn ----------------------------------------------------------------------------------------------- */
 
 static void MEAPI markLine(void *userdata, const MeVector3 a, const MeVector3 b, const float color[4]) {
     RMarkLine(((MeApp *)userdata)->rc, a, b, color, 1.5f);

@@ -8,14 +8,13 @@
  *      }
  *      RPanelCreate(rc, "Moon", show, 0);
  *
- *  Panels are the sections of a column at the right edge of the window, which scrolls; the scene is drawn in what is left
+ *  Panels are the sections of a column at the right edge of the window, which scrolls; the scene is drawn in the rest
  *  of the window. F9 shows and hides all panels; in the viewer's own panel, "Viewer", the user selects which ones are
- *  visible. A panel
- *  is owned by its context. Its callback is called in every frame in which the panel is visible, before or after the
- *  tick but never during it; it may change the simulation, but neither destroy the context (which gets a warning) nor
- *  end the program. All functions RPanel..., except RPanelCreate, RPanelDestroy and RPanelShow, may only be called by
- *  such a callback (otherwise a warning and 0). Labels within a panel must differ; the part of a label after "##" is
- *  hidden. With -null panels are never visible.
+ *  visible. A panel is owned by its context. Its callback is called in every frame in which the panel is visible,
+ *  before or after the tick but never during it; it may change the simulation, but neither destroy the context (which
+ *  gets a warning) nor end the program. All functions RPanel..., except RPanelCreate, RPanelDestroy and RPanelShow, may
+ *  only be called by such a callback (otherwise a warning and 0). Labels within a panel must differ; the part of a
+ *  label after "##" is hidden. With -null panels are never visible.
  */
 #ifndef RPANEL_H
 #define RPANEL_H
@@ -51,7 +50,8 @@ MEPUBLIC void MEAPI RPanelSameLine(void);
  * value if
  * @a high is not above 0. */
 MEPUBLIC void MEAPI RPanelPlot(const char *label, const float *values, int count, float high, const char *unit);
-/** A texture (RRenderTextureCreate); width and height in units of a line's height, smaller if the column is narrower. */
+/** A texture (RRenderTextureCreate); width and height in units of a line's height, both smaller if the column is
+ * narrower. */
 MEPUBLIC void MEAPI RPanelPicture(int texture, AcmeReal width, AcmeReal height);
 /** Begins a scrollable list, @a lines high; the following items are in it, until RPanelListEnd. */
 MEPUBLIC void MEAPI RPanelListBegin(const char *name, int lines);

@@ -120,12 +120,12 @@ GLuint r_glProgram(const RGL *gl, const RProgramSource *source, char *reason, si
 /* Uniform block "Frame", std140: the same for everything in a frame. */
 typedef struct {
     float viewProjection[16];
-    float shadow[16];                                   /* World to the shadow map's texture coordinates and depth. */
-    float eye[4];                                       /* xyz; w: 1 with perspective, 0 without. */
-    float back[4];                                      /* Towards the viewer. */
-    float right[4], up[4];                              /* Half of what is seen at distance 1; 0 without perspective. */
-    float viewport[4];                                  /* Pixels: width and height of the scene, width of lines and of the picture. */
-    float sky[4], bounce[4];                            /* Ambient light from above and from below. */
+    float shadow[16];        /* World to the shadow map's texture coordinates and depth. */
+    float eye[4];            /* xyz; w: 1 with perspective, 0 without. */
+    float back[4];           /* Towards the viewer. */
+    float right[4], up[4];   /* Half of what is seen at distance 1; 0 without perspective. */
+    float viewport[4];       /* Pixels: width and height of the scene, width of lines, width of the picture. */
+    float sky[4], bounce[4]; /* Ambient light from above and from below. */
     float keyDirection[4], keyColor[4], keySpecular[4]; /* Directions point to the light. */
     float fillDirection[4], fillColor[4], fillSpecular[4];
     float pointPosition[4], pointColor[4], pointSpecular[4], pointAttenuation[4];

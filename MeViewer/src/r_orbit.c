@@ -32,7 +32,7 @@ static AcmeReal lowestEye(const RRender *rc) {
     return fminf(groundHeight(rc) + 0.02f * rc->m_CameraDist, heightOf(rc, rc->m_CameraPos));
 }
 
-static AcmeReal missingHeight(const RRender *rc, AcmeReal lowest) {
+static AcmeReal liftNeeded(const RRender *rc, AcmeReal lowest) {
     return fmaxf(lowest - heightOf(rc, rc->m_CameraPos), 0);
 }
 
@@ -50,9 +50,9 @@ void r_cameraOrbit(RRender *rc, AcmeReal theta, AcmeReal phi) {
     const AcmeReal lowest = lowestEye(rc);
     RCameraRotateAngle(rc, theta);
     RCameraRotateElevation(rc, phi);
-    const AcmeReal missing = missingHeight(rc, lowest);
-    if (missing > 0)
-        RCameraSetElevation(rc, (MeReal)asinf(fminf(sinf(rc->m_CameraElevation) + missing / rc->m_CameraDist, 1)));
+    const AcmeReal needed = liftNeeded(rc, lowest);
+    if (needed > 0)
+        RCameraSetElevation(rc, (MeReal)asinf(fminf(sinf(rc->m_CameraElevation) + needed / rc->m_CameraDist, 1)));
 }
 
 /* Height of what is seen at the look-at point's distance. */
@@ -77,13 +77,13 @@ static void dolly(RRender *rc, AcmeReal factor) {
 void r_cameraPan(RRender *rc, AcmeReal right, AcmeReal up) {
     const AcmeReal lowest = lowestEye(rc);
     pan(rc, right, up);
-    lift(rc, missingHeight(rc, lowest));
+    lift(rc, liftNeeded(rc, lowest));
 }
 
 void r_cameraDolly(RRender *rc, AcmeReal factor) {
     const AcmeReal lowest = lowestEye(rc);
     dolly(rc, factor);
-    lift(rc, missingHeight(rc, lowest));
+    lift(rc, liftNeeded(rc, lowest));
 }
 
 /* The point under the pointer, in the plane through the look-at point that faces the camera, stays under it. */
@@ -93,5 +93,5 @@ void r_cameraDollyAt(RRender *rc, AcmeReal factor, int x, int y) {
     const AcmeReal up = (AcmeReal)rc->m_pViewer->height / 2 - (AcmeReal)y;
     pan(rc, (1 - factor) * right, (1 - factor) * up);
     dolly(rc, factor);
-    lift(rc, missingHeight(rc, lowest));
+    lift(rc, liftNeeded(rc, lowest));
 }

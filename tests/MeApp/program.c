@@ -41,7 +41,7 @@ static void MEAPI tick(RRender *context) {
     sayIfNew("report", MdtWorldReportIsEnabled(u->world), &report);
     sayIfNew("mass", MdtBodyGetMass(boxBody), &mass);
     MdtBodyGetLinearVelocity(boxBody, g);
-    sayIfNew("velocity", round(g[0]), &velocity);
+    sayIfNew("velocity", (int)g[0], &velocity);
     sayIfNew("swept", McdModelIsSwept(box), &swept);
     sayIfNew("forceLength", app->controls->forceLength * 1e6, &forceLength);
     sayIfNew("selectedOnly", app->controls->selectedOnly, &selectedOnly);
