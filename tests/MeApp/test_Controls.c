@@ -110,6 +110,9 @@ TEST(controls_end_before_the_context) {
 TEST(bad_input) {
     MeAppSetLayers(app, MstDebugShapes);
     assert_warned("MeAppCreateControls");
+    MeAppSetStepPtr(app, NULL);
+    assert_warned("MeAppSetStepPtr: there are no controls");
+    assert_refused(MeAppSetStepPtr, NULL, NULL);
     MeAppCreateControls(app);
     MeAppSetLayers(app, 1u << 20);
     assert_warned("MstDebugLayer");

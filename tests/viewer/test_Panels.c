@@ -169,6 +169,32 @@ TEST(a_slider_follows_the_mouse) {
     assert_near(value, 10, 0);
 }
 
+static void MEAPI showScale(RRender *r, void *userdata) {
+    (void)r, (void)userdata;
+    presses += RPanelScale("x", &value, 1, 100, "m") != 0;
+}
+
+/* In the middle of a scale stands the geometric mean. */
+TEST(a_scale_goes_by_factors) {
+    RPanelCreate(rc, "Mine", showScale, NULL);
+    tap(RKEY_F9);
+    click(747, Y);
+    ck_assert_int_gt(presses, 0);
+    assert_near(value, 10, 2);
+}
+
+static void MEAPI showNoScale(RRender *r, void *userdata) {
+    (void)r, (void)userdata;
+    ck_assert(!RPanelScale("x", &value, 0, 100, "m"));
+}
+
+TEST(a_scale_from_zero_is_refused) {
+    RPanelCreate(rc, "Mine", showNoScale, NULL);
+    tap(RKEY_F9);
+    assert_warned("RPanelScale: low is 0");
+    RPanelDestroy(rc, "Mine");
+}
+
 TEST(what_is_written_is_not_a_key) {
     RPanelCreate(rc, "Mine", showEdit, NULL);
     tap(RKEY_F9);
@@ -419,5 +445,6 @@ TEST(bad_input) {
     assert_warned("no panel Mine");
     assert_none(RPanelButton, "alone");
     assert_none(RPanelSlider, "alone", &x, 0, 1, NULL);
+    assert_none(RPanelScale, "alone", &x, 1, 2, NULL);
     assert_refused(RPanelText, NULL);
 }
