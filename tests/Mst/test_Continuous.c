@@ -405,6 +405,7 @@ TEST(a_wall_that_flies_tunnels_nothing) {
         }
 }
 
+#ifndef TEST_IS_SLOW
 /* m, the deepest overlap that a contact tells. */
 static double deepestOverlap(void) {
     double deepest = 0;
@@ -435,7 +436,6 @@ static double overlapOfRain(MeBool isSwept) {
     return sum / (STEPS - FALL);
 }
 
-#ifndef TEST_IS_SLOW
 TEST(a_crowd_that_is_swept_overlaps_little_more_than_one_that_is_not) {
     assert_below(overlapOfRain(METRUE), 1.5 * overlapOfRain(MEFALSE));
 }
