@@ -9,6 +9,7 @@
 #include "McdMesh.h"
 #include "Mst.h"
 #include "MstMover.h"
+#include "MstVehicle.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -146,6 +147,30 @@ static void destroyWalkers(void) {
     numWalkers = 0;
 }
 
+static void addCar(MstUniverseID u, double x, MstVehicleCast cast) {
+    const McdModelID chassis = addShape(u, McdBoxCreate(u->frame, (MeReal)1.6, (MeReal).3, (MeReal).8), x);
+    MstVehicleParams params;
+    MstWheelParams wheel;
+    MstVehicleSetDefaults(&params, u);
+    params.cast = cast;
+    const MstVehicleID v = MstVehicleCreate(u, chassis, &params);
+    MstWheelSetDefaults(&wheel, u);
+    for (int i = 0; i < 4; i++) {
+        MeVector3Set(wheel.position, (MeReal)(i < 2 ? .6 : -.6), 0, (MeReal)(i % 2 ? .5 : -.5));
+        wheel.axle = i / 2;
+        wheel.drive = 1;
+        MstVehicleAddWheel(v, &wheel);
+    }
+}
+
+static void addCastCar(MstUniverseID u, double x) {
+    addCar(u, x, kMstVehicleRay);
+}
+
+static void addBodyCar(MstUniverseID u, double x) {
+    addCar(u, x, kMstVehicleBodies);
+}
+
 /* Boxes of 1 kg slide, so that no step can be left out; .6 of their weight overcomes friction .5. */
 static const Case cases[] = {
     {"body that flies", addFlying, .friction = MdtFrictionModelCone},
@@ -167,6 +192,8 @@ static const Case cases[] = {
     {"body that the program moves (kinematic)", addMoved, .friction = MdtFrictionModelCone},
     {"body that the program moves, and a box on it", addCarried, .friction = MdtFrictionModelCone},
     {"character that walks (mover)", addWalker, .friction = MdtFrictionModelCone},
+    {"car on four wheels that are cast (vehicle)", addCastCar, .friction = MdtFrictionModelCone},
+    {"car on four wheels that are bodies (vehicle)", addBodyCar, .friction = MdtFrictionModelCone},
     {"character that walks on a mesh", addWalker, .friction = MdtFrictionModelCone, .isOnMesh = true},
 };
 

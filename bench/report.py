@@ -565,6 +565,8 @@ ADVICE = (  # the cheaper one, the dearer one, what to do, what is lost; both ar
      'Sweep (`McdModelSetSwept`) only what may pass a wall in a step.', 'nothing, for what is slower'),
     ('box that slides, four contacts, cone', 'body that the program moves, and a box on it',
      'A fixed model where nothing moves, instead of a kinematic body.', 'it stands still'),
+    ('car on four wheels that are cast (vehicle)', 'car on four wheels that are bodies (vehicle)',
+     'Wheels that are cast (`MstVehicle`), instead of bodies on car-wheel joints.', 'wheels do not touch what they drive past'),
     ('character that walks (mover)', 'character that walks on a mesh',
      'Planes and boxes under characters (`MstMover`), instead of triangles.', 'nothing, if the ground is flat'),
 )
