@@ -90,7 +90,7 @@ MEPUBLIC void MEAPI MdtBodyGetFreeAcceleration(const MdtBodyID b, MeVector3 a);
 MEPUBLIC MeReal MEAPI MdtBodyGetFreeSpinRate(const MdtBodyID b);
 /** Adds the impulses that wait for the step to the velocities of bodies without joints, and wakes these, so that the
  *  collision detection of the step looks ahead as far as they will move. h: the step, s. */
-MEPUBLIC void MEAPI MdtWorldTakeImpulses(const MdtWorldID w, const MeReal h);
+MEPUBLIC void MEAPI MdtWorldApplyImpulses(const MdtWorldID w, const MeReal h);
 /** Adds a vector, m, to all coordinates of the world: bodies, joints to the world, contacts. Velocities of moving
  *  worlds are those of the same surfaces. Between steps. False: a body would come beyond MdtBodyGetPositionBound, and
  *  nothing is changed. */

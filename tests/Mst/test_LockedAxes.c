@@ -229,3 +229,16 @@ LOOP_TEST(a_hit_off_centre_moves_a_point_mass, 0, 2 * SOLVERS) {
         assert_near(fabs(speedAlong(target, k)) + fabs(speedAlong(shot, k)), 0, 1e-6);
     assert_near(turned(target, 0), 1, 0);
 }
+
+LOOP_TEST(impulses_have_no_effect_along_locked_axes, 0, SOLVERS) {
+    begin(_i, 0, 0);
+    MdtWorldSetGravity(u->world, 0, 0, 0);
+    const MdtBodyID b = box(1, 1, 2, 0, 0, 0, MdtLockToPlaneZX);
+    MdtBodyAddImpulseAtPosition(b, 1000, 1000, 500, (MeReal).5, (MeReal)-.5, 1);
+    universe_step(60);
+    assert_near(at(b, 1), 0, 0);
+    assert_near(speedAlong(b, 0), .5, 1e-6);
+    assert_near(speedAlong(b, 2), .25, 1e-6);
+    assert_near(turned(b, 1), 0, 0); /* about x */
+    assert_near(turned(b, 3), 0, 0); /* about z */
+}

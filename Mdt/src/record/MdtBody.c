@@ -598,6 +598,13 @@ MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionParams *pa
     return isFast(b, params) || (isAccelerated(b, params) && !mdt_bodyStaysInPlace(b));
 }
 
+/* Sets the kick: the impulses that wait for the step, without their parts along locked axes. */
+static void setKick(MdtBodyID b) {
+    memcpy(b->kea.kick, mdt_forcesOf(b)->impulse, sizeof b->kea.kick);
+    keaDropAxes(b->kea.locked, b->kea.kick[0]);
+    keaDropAxes(b->kea.locked >> 3, b->kea.kick[1]);
+}
+
 /* Adds the impulses that wait for the step to the momenta. Only for bodies without joints: joints would have to
  * distribute the impulses. */
 static void addKick(MdtBodyID b) {
@@ -626,7 +633,7 @@ static MeBool wakeForImpulse(MdtBodyID b, double h) {
     return METRUE;
 }
 
-void MEAPI MdtWorldTakeImpulses(const MdtWorldID w, const MeReal h) {
+void MEAPI MdtWorldApplyImpulses(const MdtWorldID w, const MeReal h) {
     MEASSERT(w && h > 0);
     MeStageBegin(&w->stage, MDT_GUARD_CONSTRAINTS); /* defers calls of the program's handlers */
     for (MdtLink *link = w->bodies.first; link; link = link->next) {
@@ -636,7 +643,7 @@ void MEAPI MdtWorldTakeImpulses(const MdtWorldID w, const MeReal h) {
             !(b->record.flags & MDT_ENABLED))
             continue;
         mdt_bodyAcceptVelocities(b);
-        memcpy(b->kea.kick, b->forces->impulse, sizeof b->kea.kick);
+        setKick(b);
         addKick(b);
         MdtBodyResetImpulses(b);
         mdt_bodyShow(b);
@@ -662,10 +669,8 @@ void mdt_bodyPack(MdtBodyID b, double frame, MeBool hasJoints) {
     mdt_bodyAcceptVelocities(b);
     if (b->mass > b->world->sinkingMass)
         mdt_forgottenScale(b);
-    memcpy(b->kea.kick, mdt_forcesOf(b)->impulse, sizeof b->kea.kick);
+    setKick(b);
     mdt_forceBegin(b);
-    keaDropAxes(b->kea.locked, b->kea.kick[0]);
-    keaDropAxes(b->kea.locked >> 3, b->kea.kick[1]);
     if (!hasJoints)
         addKick(b);
     mdt_forceApply(b, frame);

@@ -204,7 +204,7 @@ static void advance(MstUniverse *u, MeReal step) {
     MeTeam *team = MdtWorldGetTeam(u->world);
     McdSpaceSetTeam(u->space, team);
     MeTeamKeep(team);
-    MdtWorldTakeImpulses(u->world, step);
+    MdtWorldApplyImpulses(u->world, step);
     mst_followMoved(u->world, step);
     mst_vehiclesFollow(u);
     updateBoxes(u->space, step);
