@@ -372,6 +372,30 @@ TEST(what_a_bullet_hits_stops_at_what_is_behind) {
             }
 }
 
+/* Balls one behind the other meet a wall: none goes through the one before it, which stops in the middle of a step. */
+TEST(balls_in_a_row_do_not_pass_each_other) {
+    enum { BALLS = 5 };
+    static const double speeds[] = {20, 50, 200, 800}, gaps[] = {.01, .03, .1, .3, 1, 2};
+    for (int s = 0; s < 4; s++)
+        for (int g = 0; g < 6; g++)
+            for (int when = 0; when < 8; when++) {
+                McdModelID ball[BALLS];
+                setUp();
+                MstFixedModelCreate(u, McdBoxCreate(u->frame, .02, 50, 50), place);
+                for (int i = 0; i < BALLS; i++) {
+                    const double v[3] = {speeds[s], 0, 0};
+                    const double from[3] = {-.2 - v[0] * STEP * when / 8 - (gaps[g] + .2) * i, 0, 0};
+                    put(ball[i] = makeBall(.1), from, v);
+                }
+                for (int i = 0; i < 6; i++) {
+                    step();
+                    assert_below(coordinate(ball[0], 0), -.1);
+                    for (int k = 1; k < BALLS; k++)
+                        assert_below(.2 - 2e-3, coordinate(ball[k - 1], 0) - coordinate(ball[k], 0));
+                }
+            }
+}
+
 /* ---- crowds ------------------------------------------------------------------------------------------------------ */
 
 static void beginCrowd(void) {

@@ -192,6 +192,7 @@ static void handleCollisions(MstBridgeRecord *record, McdModelPairContainer *pai
         i += mst_collideRun(record, &record->run, &pairs->array[i], pairs->stayingEnd - i);
         mst_commitRun(record, &record->run, w);
     }
+    mst_clampFollowers(record, &pairs->array[pairs->helloFirst], pairs->stayingEnd - pairs->helloFirst);
 }
 
 /* Makes the bridge the collider of the space: only one bridge may keep records of its pairs. False, with a warning: the

@@ -10,6 +10,9 @@
  * lagging body that reaches such a body is stopped, and loses the rest of its step; so do bodies that still lag after
  * the last sub-step.
  *
+ * What would reach a body that will be stopped is stopped with it: the bodies of a row one after the other. Their next
+ * impacts are found in the next sub-step.
+ *
  * A mover has made its whole step after the first sub-step. In the others it is put back, for each pair, to where it
  * was at the time of the body that lags.
  *
@@ -122,12 +125,14 @@ static MeBool isWorthClamping(const MstBridgeRecord *b, MeReal time, MeReal max)
     return max - time > minSubstep(b);
 }
 
+static MeBool mayClamp(const MstBridgeRecord *b, McdModelID m) {
+    return !mst_isInLargeIsland(mst_freeBodyOf(m)) ||
+           (b->substep < MAX_LARGE_ISLAND_SUBSTEPS && McdModelGetFastMargin(m) > 0);
+}
+
 static void clampPair(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal time) {
     const MdtBodyID body1 = mst_freeBodyOf(p->model1), body2 = mst_freeBodyOf(p->model2);
-    const MeBool clamps1 =
-        !mst_isInLargeIsland(body1) || (b->substep < MAX_LARGE_ISLAND_SUBSTEPS && McdModelGetFastMargin(p->model1) > 0);
-    const MeBool clamps2 =
-        !mst_isInLargeIsland(body2) || (b->substep < MAX_LARGE_ISLAND_SUBSTEPS && McdModelGetFastMargin(p->model2) > 0);
+    const MeBool clamps1 = mayClamp(b, p->model1), clamps2 = mayClamp(b, p->model2);
     if (body1 && body2 && clamps1 && clamps2)
         mst_joinPartitions(b, p, w);
     if (clamps1)
@@ -155,6 +160,53 @@ MeBool mst_isInLargeIsland(MdtBodyID body) {
 MeBool mst_isWithinLargeIsland(const McdModelPair *p) {
     const MdtBodyID body1 = mst_freeBodyOf(p->model1), body2 = mst_freeBodyOf(p->model2);
     return mst_isInLargeIsland(body1) && body2 && MdtBodyGetPartition(body1) == MdtBodyGetPartition(body2);
+}
+
+/* ---- followers --------------------------------------------------------------------------------------------------- */
+
+/* Whether the bodies of the pair may stop each other in this sub-step. */
+static MeBool isOfTwoBodies(const MstBridgeRecord *b, McdModelPair *p) {
+    enum { OTHER = McdPairIsAsleep | McdPairIsGone | McdPairHasSensor };
+    MeU32 materials[2];
+    return mst_freeBodyOf(p->model1) && mst_freeBodyOf(p->model2) && !mst_isOneBody(p) && !p->isHeldApart &&
+           (b->substep == 0 || mst_mayCollide(p)) && !(McdModelPairGetTraits(p, materials) & OTHER);
+}
+
+/* Whether the pair's body that moves on reaches the one that stops early, or goes with it, by contacts. */
+static MeBool reachesStopped(MstBridgeRecord *b, McdModelPair *p, int stopped, MeReal early, MeReal late) {
+    MeU32 materials[2];
+    if (p->responseData && MdtContactGroupGetCount(p->responseData) > 0)
+        return METRUE;
+    if (!(McdModelPairGetTraits(p, materials) & McdPairIsFast) || p->isWithinLargeIsland)
+        return MEFALSE;
+    McdMotion motion[2] = {motionOf(b, p->model1), motionOf(b, p->model2)};
+    MeVector3MultiplyScalar(motion[stopped].velocity, motion[stopped].velocity, early / late);
+    MeVector3MultiplyScalar(motion[stopped].spin, motion[stopped].spin, early / late);
+    return late - McdModelPairImpactTime(p, motion, late, kMcdNearPass) > minSubstep(b);
+}
+
+/* Stops the pair's body that moves on at the time at which the other one stops, if it would reach that. */
+static MeBool stopFollower(MstBridgeRecord *b, McdModelPair *p) {
+    if (!isOfTwoBodies(b, p))
+        return MEFALSE;
+    const MeReal max = remainingTime(b, p);
+    const MdtBodyID body[2] = {mst_freeBodyOf(p->model1), mst_freeBodyOf(p->model2)};
+    const MeReal safe[2] = {MeMIN(MdtBodyGetSafeTime(body[0]), max), MeMIN(MdtBodyGetSafeTime(body[1]), max)};
+    const int stopped = safe[1] < safe[0];
+    if (!isWorthClamping(b, safe[stopped], safe[!stopped]) || !mayClamp(b, stopped ? p->model1 : p->model2) ||
+        !reachesStopped(b, p, stopped, safe[stopped], safe[!stopped]))
+        return MEFALSE;
+    clampBody(b, body[!stopped], safe[stopped]);
+    return METRUE;
+}
+
+/* Each body takes the earliest safe time of those that it follows: once through, for each body of a row. */
+void mst_clampFollowers(MstBridgeRecord *b, McdModelPair *const pairs[], int count) {
+    for (MeBool isAny = b->clampedCount > 0; isAny;) {
+        isAny = MEFALSE;
+        for (int i = 0; i < count; i++)
+            isAny = stopFollower(b, pairs[i]) || isAny;
+    }
 }
 
 /* ---- the sub-steps after the first ---------------------------------------------------------------------------------

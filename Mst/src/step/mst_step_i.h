@@ -123,6 +123,8 @@ void mst_clampLaggingBody(MstBridgeRecord *b, const MstFinding *f);
 /* Limits the safe times of the bodies of a fast pair to the time of their impact, if it is within the step.
  * hasContacts: the pair has contacts. */
 void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, MdtWorldID w);
+/* Limits the safe times of what would reach bodies that are stopped. */
+void mst_clampFollowers(MstBridgeRecord *b, McdModelPair *const pairs[], int count);
 /* Whether the body is in a large partition, which is costly to solve and on which a single pair has little effect. */
 MeBool mst_isInLargeIsland(MdtBodyID body);
 /* Whether both bodies are in one large partition. Their impacts do not divide its step: they get contacts ahead
