@@ -814,15 +814,26 @@ static void clearForces(MdtKeaSystem *s) {
         s->rows[i].force = 0;
 }
 
+/* Moves all bodies by their loads alone. */
+static void moveAllFreely(MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++)
+        s->work->body[i].isFree = METRUE;
+    kea_moveFreeBodies(s);
+}
+
 void kea_fastSolve(MdtKeaSystem *s) {
     KeaNode nodes[KEA_MAX_NODES]; /* not initialized: 24 kB, of which most partitions use two nodes */
     Step p = {.s = s, .kernel = kernelOfMachine(), .regions = {.s = s, .team = s->team, .node = nodes}};
+    if (s->numManifolds == 0 && s->numRows == 0) {
+        s->report.passes = 1;
+        s->report.resolution = s->parameters.restSpeed;
+        moveAllFreely(s);
+        return;
+    }
     if (!beginStep(&p)) {
         s->report.capped = METRUE;
         clearForces(s);
-        for (int i = 0; i < s->numBodies; i++)
-            s->work->body[i].isFree = METRUE;
-        kea_moveFreeBodies(s);
+        moveAllFreely(s);
         return;
     }
     findSpeed(&p);
