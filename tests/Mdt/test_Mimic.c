@@ -309,3 +309,35 @@ TEST(what_cannot_be_mimicked) {
     assert_refused(MdtMimicSetJoints, s.mimic, NULL, s.joint[0]);
     ck_assert(MdtMimicGetJoint(s.mimic, 0) == s.joint[0] && MdtMimicGetJoint(s.mimic, 1) == s.joint[1]);
 }
+
+/* Two hinged pairs: the program may begin to move any of the four bodies while the mimic acts. */
+TEST(a_body_of_two_pairs_that_the_program_begins_to_move) {
+    static const double edge[3] = {.2, .2, .2};
+    for (int moved = 0; moved < 4; moved++) {
+        MdtWorldID w = scene_world(4, 6, 0);
+        MdtBodyID body[4];
+        MdtConstraintID hinge[2];
+        for (int i = 0; i < 4; i++)
+            body[i] = scene_box(w, 1, edge, i, 0, 0);
+        for (int i = 0; i < 2; i++) {
+            const MdtHingeID j = MdtHingeCreate(w);
+            MdtHingeSetBodies(j, body[2 * i], body[2 * i + 1]);
+            MdtHingeSetPosition(j, (MeReal)(2 * i + .5), 0, 0);
+            MdtHingeSetAxis(j, 0, 1, 0);
+            MdtHingeEnable(j);
+            MdtLimitCalculatePosition(MdtHingeGetLimit(j), 1);
+            hinge[i] = MdtHingeQuaConstraint(j);
+        }
+        const MdtMimicID mimic = MdtMimicCreate(w);
+        MdtMimicSetJoints(mimic, hinge[0], hinge[1]);
+        MdtMimicEnable(mimic);
+        MdtBodySetKinematic(body[moved], METRUE);
+        MdtBodySetAngularVelocity(body[moved < 2 ? 3 : 0], 0, 10, 0);
+        for (int i = 0; i < 30; i++)
+            MdtWorldStep(w, FRAME);
+        const double first = (double)MdtLimitGetPosition(MdtHingeGetLimit((MdtHingeID)hinge[0]));
+        const double second = (double)MdtLimitGetPosition(MdtHingeGetLimit((MdtHingeID)hinge[1]));
+        assert_near(second, first, TOL(1e-4, 1e-6));
+        assert_below(.03, fabs(first));
+    }
+}

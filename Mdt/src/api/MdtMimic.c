@@ -21,22 +21,6 @@ static MdtJoint *sourceOf(MdtMimicID mimic, MdtConstraintID c, const char *calle
     return NULL;
 }
 
-/* Adds a body to those that the mimic is attached to, unless it is there or both are known. */
-static void addBody(MdtBodyID bodies[2], MdtBodyID b) {
-    if (!b || bodies[0] == b || bodies[1])
-        return;
-    bodies[bodies[0] ? 1 : 0] = b;
-}
-
-/* The first two bodies of both joints; those that the program moves come last. */
-static void findBodies(MdtJoint *const source[2], MdtBodyID bodies[2]) {
-    for (int i = 0; i < 8; i++) {
-        const MdtBodyID b = source[i % 2]->base.side[i / 2 % 2].body;
-        if (b && (b->mover != NULL) == (i >= 4))
-            addBody(bodies, b);
-    }
-}
-
 void MEAPI MdtMimicSetJoints(const MdtMimicID j, const MdtConstraintID first, const MdtConstraintID second) {
     Data *d = dataOf(j, __func__);
     MdtJoint *source[2] = {d ? sourceOf(j, first, __func__) : NULL, NULL};
@@ -48,7 +32,7 @@ void MEAPI MdtMimicSetJoints(const MdtMimicID j, const MdtConstraintID first, co
         MeWarning(1, "%s: the two joints are the same; nothing is changed", __func__);
         return;
     }
-    findBodies(source, bodies);
+    mdt_mimicFindBodies(source, bodies);
     for (int i = 0; i < 2; i++) {
         d->joint[i] = source[i];
         d->coordinate[i].isMeasured = MEFALSE;

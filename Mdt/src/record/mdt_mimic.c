@@ -81,6 +81,34 @@ static MeBool areBodiesSound(const MdtJoint *mimic) {
     return movers <= 1;
 }
 
+/* The first body of a joint that the program does not move, other than one; null: there is none. */
+static MdtBodyID freeBodyOf(const MdtJoint *j, const MdtBody *other) {
+    for (int k = 0; k < 2; k++)
+        if (j->base.side[k].body && !j->base.side[k].body->mover && j->base.side[k].body != other)
+            return j->base.side[k].body;
+    return NULL;
+}
+
+static MdtBodyID anyBodyOf(const MdtJoint *j, const MdtBody *other) {
+    const MdtBodyID first = j->base.side[0].body;
+    return first && first != other ? first : j->base.side[1].body != other ? j->base.side[1].body : NULL;
+}
+
+void mdt_mimicFindBodies(MdtJoint *const source[2], MdtBodyID bodies[2]) {
+    bodies[0] = freeBodyOf(source[0], NULL);
+    bodies[1] = freeBodyOf(source[1], bodies[0]);
+    for (int k = 0; k < 4; k++) { /* where one is empty, any other */
+        MdtBodyID *empty = !bodies[0] ? &bodies[0] : !bodies[1] ? &bodies[1] : NULL;
+        const MdtBody *other = empty == &bodies[0] ? bodies[1] : bodies[0];
+        if (empty)
+            *empty = k < 2 ? freeBodyOf(source[k], other) : anyBodyOf(source[k - 2], other);
+    }
+    if (!bodies[0]) {
+        bodies[0] = bodies[1];
+        bodies[1] = NULL;
+    }
+}
+
 MeBool mdt_mimicUpdate(MdtJoint *mimic) {
     MdtBclCoupling *u = &mimic->bcl.of.coupling;
     const MdtJoint *const j[2] = {u->joint[0], u->joint[1]};

@@ -33,6 +33,26 @@ static void clearConstraints(MdtBodyID b) {
     }
 }
 
+static MeBool isOf(const MdtJoint *j, const MdtBody *b) {
+    return j && (j->base.side[0].body == b || j->base.side[1].body == b);
+}
+
+/* Attaches the mimics of the body's joints anew: to bodies that the program does not move. */
+static void attachMimics(MdtBodyID b) {
+    for (MdtLink *link = b->world->mimics > 0 ? b->world->constraints.first : NULL; link; link = link->next) {
+        MdtJoint *mimic = mdt_asJoint(mdt_linkOwner(link));
+        MdtBodyID bodies[2];
+        if (!mimic || mimic->bcl.type != MdtBclMIMIC)
+            continue;
+        MdtJoint *const source[2] = {mimic->bcl.of.coupling.joint[0], mimic->bcl.of.coupling.joint[1]};
+        if (!source[0] || !source[1] || !(isOf(source[0], b) || isOf(source[1], b)))
+            continue;
+        mdt_mimicFindBodies(source, bodies);
+        if (bodies[0])
+            mdt_constraintAttach(&mimic->base, bodies[0], bodies[1]);
+    }
+}
+
 static void setKinematic(MdtBodyID b, MeBool isKinematic, const char *caller) {
     if (isKinematic == (b->mover != NULL))
         return;
@@ -44,6 +64,7 @@ static void setKinematic(MdtBodyID b, MeBool isKinematic, const char *caller) {
     else if (!mdt_moverMake(b, caller))
         isKinematic = MEFALSE;
     clearConstraints(b);
+    attachMimics(b);
     mdt_bodyApplyLocks(b);
     mdt_bodyRestart(b);
     mdt_graphChanged(b->world);

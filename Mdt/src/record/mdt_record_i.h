@@ -159,6 +159,8 @@ void mdt_breakForget(MdtJoint *j);
 /* At the start of a step: copies the frames of the mimicked joints, and finds out whether both act. Returns whether the
  * mimic has a split row. */
 MeBool mdt_mimicUpdate(MdtJoint *mimic);
+/* The two bodies to which a mimic is attached: one of each joint that the program does not move, if there is. */
+void mdt_mimicFindBodies(MdtJoint *const source[2], MdtBodyID bodies[2]);
 /* When a joint is destroyed: mimics of it have it no more. */
 void mdt_mimicForget(MdtJoint *j);
 
