@@ -36,16 +36,29 @@ static double placeOf(const MstWheel *w, const double axis[3]) {
     return keaDot(w->position, axis);
 }
 
-/* The mean place along the vehicle, and the mean angle at full lock, of wheels that steer to the side, or of others. */
-static double meanPlace(const MstVehicle *v, MeBool steers, double *angle) {
+/* The place along the vehicle halfway between its foremost and its hindmost wheel. */
+static double middleOf(const MstVehicle *v) {
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < v->wheelCount; i++) {
+        low = fmin(low, placeOf(v->wheel[i], v->forward));
+        high = fmax(high, placeOf(v->wheel[i], v->forward));
+    }
+    return (low + high) / 2;
+}
+
+/* The mean place along the vehicle, and the mean angle at full lock, of the wheels ahead of its middle, or of those
+ * behind. */
+static double meanPlace(const MstVehicle *v, MeBool isAhead, double *angle) {
+    const double middle = middleOf(v);
     double sum = 0;
     int count = 0;
     *angle = 0;
     for (int i = 0; i < v->wheelCount; i++) {
         const MstWheel *w = v->wheel[i];
-        if ((w->params.steering > 0) != (steers != 0))
+        const double place = placeOf(w, v->forward);
+        if ((place > middle) != (isAhead != 0))
             continue;
-        sum += placeOf(w, v->forward);
+        sum += place;
         *angle += (double)w->params.steering;
         count++;
     }
@@ -53,14 +66,13 @@ static double meanPlace(const MstVehicle *v, MeBool steers, double *angle) {
     return count > 0 ? sum / count : 0;
 }
 
-/* 1/m: curvature of the curve on which the vehicle turns, and the place along it of the curve's centre. */
-static double curvatureOf(const MstVehicle *v, double lock, double *centre) {
+/* 1/m: curvature of the way. At the place `behind` the vehicle moves aside by `slope` of its way. */
+static double curvatureOf(const MstVehicle *v, double lock, double *behind, double *slope) {
     double front, rear;
-    const double at = meanPlace(v, METRUE, &front), behind = meanPlace(v, MEFALSE, &rear);
-    const double a = tan(lock * front), b = tan(lock * rear), base = at - behind;
-    const double curvature = fabs(base) > 1e-9 ? (a - b) / base : 0;
-    *centre = behind - (fabs(curvature) > 1e-12 ? b / curvature : 0);
-    return curvature;
+    const double base = meanPlace(v, METRUE, &front);
+    *behind = meanPlace(v, MEFALSE, &rear);
+    *slope = tan(lock * rear);
+    return fabs(base - *behind) > 1e-9 ? (tan(lock * front) - *slope) / (base - *behind) : 0;
 }
 
 /* The lean of the chassis to the left, rad. */
@@ -84,17 +96,17 @@ static double leanedCurvature(const MstVehicle *v, MdtBodyID b, double curvature
 
 static void steer(MstVehicle *v, MdtBodyID b, const double gravity[3], double h) {
     const double by = (double)v->params.steeringRate * h;
-    double centre;
+    double behind, slope;
     v->lock += fmin(fmax(v->steering - v->lock, -by), by);
-    const double target = curvatureOf(v, v->lock, &centre);
+    const double target = curvatureOf(v, v->lock, &behind, &slope);
     const double curvature = v->params.leanLimit > 0 ? leanedCurvature(v, b, target, gravity) : target;
     const double upright =
         v->params.leanLimit > 0 ? fabs(cos(leanOf(v, b, gravity))) : 1; /* a wheel that leans turns more */
     for (int i = 0; i < v->wheelCount; i++) {
         MstWheel *w = v->wheel[i];
-        const double ahead = placeOf(w, v->forward) - centre, aside = placeOf(w, v->left);
-        w->steering =
-            w->params.steering != 0 ? atan(upright * curvature * ahead / fmax(1 - curvature * aside, 1e-3)) : 0;
+        const double ahead = placeOf(w, v->forward) - behind, aside = placeOf(w, v->left);
+        const double toSide = upright * (slope + curvature * ahead);
+        w->steering = w->params.steering != 0 ? atan(toSide / fmax(1 - curvature * aside, 1e-3)) : 0;
     }
 }
 
@@ -284,12 +296,12 @@ static void moveLean(MstVehicle *v, double target, double h) {
 
 /* A damped spring to the lean at which gravity and the curve are in balance. */
 static void balance(MstVehicle *v, MdtBodyID b, const double gravity[3], double h) {
-    double centre;
+    double behind, slope;
     MstWheel *w = v->params.leanLimit > 0 && keaLength(gravity) > 0 ? balancingWheel(v) : 0;
     if (!w)
         return;
     const double limit = (double)v->params.leanLimit, speed = mst_vehicleSpeed(v, b);
-    const double curvature = curvatureOf(v, v->lock, &centre);
+    const double curvature = curvatureOf(v, v->lock, &behind, &slope);
     const double target = fmin(fmax(atan(speed * speed * curvature / keaLength(gravity)), -limit), limit);
     const double rate = 2 * ME_PI * (double)v->params.leanFrequency, inertia = rollInertia(v, b);
     moveLean(v, target, h);
