@@ -48,6 +48,8 @@ MEPUBLIC MeU32 MEAPI McdModelGetSensorMask(McdModelID cm);
 MEPUBLIC McdModelID MEAPI McdFrameworkNextModel(McdFrameworkID frame, McdModelID cm);
 /** Whether the model's transform is the one that it was last compared with (McdModelPairCompare). */
 MEPUBLIC MeBool MEAPI McdModelIsCurrent(McdModelID cm);
+/** The version of what the model was last compared with: it changes with the last bit of its pose and shape. */
+MEPUBLIC MeU64 MEAPI McdModelGetStamp(McdModelID cm);
 /** Adds a vector to what is derived from a model's transform, which has got it already: it counts as unmoved, if it was
  *  current before. Its space is in a change block. */
 MEPUBLIC void MEAPI McdModelShift(McdModelID cm, const double by[3], MeBool wasCurrent);

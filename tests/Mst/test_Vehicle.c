@@ -285,3 +285,42 @@ TEST(a_motorcycle_leans_into_curves) {
             assert_near(tan(-lean), speed * (double)w[2] / GRAVITY, .05 * fabs(speed * (double)w[2] / GRAVITY) + 1e-4);
         }
 }
+
+/* ---- which wheels steer ------------------------------------------------------------------------------------------ */
+
+/* All wheels by one angle: it goes aside without turning. The rear ones alone, or against the front ones: it turns. */
+TEST(any_wheels_may_steer) {
+    static const double angles[][3] = {
+        {.3, .3, 0}, {0, -.3, .3}, {.3, -.3, .6}, {.3, .1, .2}}; /* front, rear, of base */
+    for (int k = 0; k < 4; k++) {
+        begin(0);
+        for (int i = 0; i < WHEELS; i++)
+            wheels[i].steering = (MeReal)angles[k][i < REAR_LEFT ? 0 : 1];
+        putCar(0);
+        run(2);
+        setSpeed(2);
+        drive(.1, 1, 0, 0);
+        run(1);
+        MeVector3 w;
+        MdtBodyGetAngularVelocity(body, w);
+        const double speed = hypot(velocity(0), velocity(1)), base = 2.6 * now.size;
+        const double curvature = (tan(angles[k][0]) - tan(angles[k][1])) / base;
+        const double middle = (tan(angles[k][0]) + tan(angles[k][1])) / 2; /* of the way aside, at the middle */
+        assert_near((double)w[2], curvature * speed / sqrt(1 + middle * middle), .02);
+    }
+}
+
+/* Sideways: by the friction that the tyres have, at any stiffness. */
+TEST(a_stiff_suspension_has_no_grip_of_its_own) {
+    static const double frequencies[] = {1.5, 20, 60, 100, 1000};
+    for (int k = 0; k < 5; k++) {
+        begin(0);
+        for (int i = 0; i < WHEELS; i++)
+            wheels[i].frequency = (MeReal)frequencies[k];
+        putCar(0);
+        run(2);
+        MdtBodySetLinearVelocity(body, 0, 8, 0);
+        run(.4);
+        assert_near(velocity(1), 8 - GRAVITY * .4, .05 * GRAVITY * .4);
+    }
+}

@@ -83,6 +83,56 @@ TEST(it_falls_asleep_and_wakes) {
     }
 }
 
+static McdModelID floorModel;
+
+static void lowerFloor(void) {
+    McdSpaceUnfreezeModel(floorModel);
+    groundTM[3][2] -= (MeReal).3;
+}
+
+static void removeFloor(void) {
+    McdSpaceRemoveModel(floorModel);
+}
+
+static void disablePair(void) {
+    McdSpaceDisablePair(floorModel, MdtBodyGetModel(body));
+}
+
+static void groupFloor(void) {
+    McdModelSetFilterGroup(floorModel, -3);
+    McdModelSetFilterGroup(MdtBodyGetModel(body), -3);
+}
+
+static void senseFloor(void) {
+    McdModelSetSensor(floorModel, METRUE);
+}
+
+static void thinFloor(void) {
+    McdModelSetGeometry(floorModel, McdBoxCreate(u->frame, 40, 40, 1));
+}
+
+TEST(a_change_of_the_ground_wakes_it) {
+    static void (*const changes[])(void) = {lowerFloor, removeFloor, disablePair, groupFloor, senseFloor, thinFloor};
+    for (int cast = 0; cast < 3; cast++)
+        for (int i = 0; i < 6; i++) {
+            Setup s = setups[0];
+            s.cast = (MstVehicleCast)cast;
+            setCar(&s);
+            MeMatrix4TMMakeIdentity(groundTM);
+            groundTM[3][2] = -1;
+            floorModel = MstFixedModelCreate(u, McdBoxCreate(u->frame, 40, 40, 2), groundTM);
+            putCar(0);
+            MdtWorldSetAutoDisable(u->world, METRUE);
+            drive(0, 0, 0, 1);
+            run(15);
+            ck_assert(!MdtBodyIsEnabled(body));
+            const double before = place(2);
+            changes[i]();
+            run(1);
+            ck_assert_msg(place(2) < before - .25, "cast %d, change %d", cast, i);
+        }
+}
+
 /* In parts of steps, and by the fast solver, with a load on its roof. */
 TEST(it_obeys_other_solvers_and_sub_steps) {
     for (int i = 0; i < SETUPS; i++)

@@ -645,6 +645,10 @@ MeBool MEAPI McdModelIsCurrent(McdModelID cm) {
     return mcd_isPlacedAsCompared(mcd_record(cm));
 }
 
+MeU64 MEAPI McdModelGetStamp(McdModelID cm) {
+    return mcd_record(cm)->stamp;
+}
+
 static void shiftInputs(McdModelRecord *m, const double by[3], MeBool wasCurrent) {
     for (int i = 0; i < 3; i++) {
         m->inputs.place[i] = wasCurrent ? m->instance.tm[3][i] : (MeReal)((double)m->inputs.place[i] + by[i]);

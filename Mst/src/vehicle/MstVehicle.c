@@ -406,7 +406,7 @@ void MEAPI MstVehicleGetWheel(MstVehicleID v, int wheel, MstWheelState *state) {
 static MeBool isToWake(const MstVehicle *v) {
     MeBool isToWake = v->hasChanged || v->throttle != 0;
     for (int i = 0; i < v->wheelCount; i++)
-        isToWake = isToWake || mst_wheelIsGroundChanged(v->wheel[i]);
+        isToWake = isToWake || mst_wheelIsGroundChanged(v, v->wheel[i]);
     return isToWake;
 }
 

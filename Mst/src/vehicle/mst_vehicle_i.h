@@ -36,6 +36,7 @@ typedef struct MstWheel {
     MdtBclGroundWheel own; /* its data, in the place of those of a joint */
     McdModelID ground;     /* valid if its serial number is still the same */
     MeU64 groundSerial;
+    MeU64 groundStamp;          /* McdModelGetStamp of it at the cast */
     double point[3], normal[3]; /* of the ground's plane, world */
     MeMatrix4 transform;
 } MstWheel;
@@ -79,7 +80,7 @@ void mst_vehicleDrive(MstVehicle *v, MdtBodyID b, double h);
 /* Whether what a wheel stands on is still there. */
 MeBool mst_wheelHasGround(const MstWheel *w);
 /* Whether what a wheel stands on has moved or is gone. */
-MeBool mst_wheelIsGroundChanged(const MstWheel *w);
+MeBool mst_wheelIsGroundChanged(const MstVehicle *v, const MstWheel *w);
 /* Finds the ground of all wheels, and writes their joints' data. */
 void mst_vehicleCast(MstVehicle *v, MdtBodyID b, double h);
 /* Wheels that are bodies: made and ended; placed with the chassis; driven; shown. */

@@ -94,13 +94,6 @@ MeBool mst_wheelHasGround(const MstWheel *w) {
     return w->ground && McdModelIsValid(w->ground) && McdModelGetSerial(w->ground) == w->groundSerial;
 }
 
-MeBool mst_wheelIsGroundChanged(const MstWheel *w) {
-    if (!w->ground)
-        return MEFALSE;
-    const MdtBodyID b = mst_wheelHasGround(w) ? mst_bodyOf(w->ground) : 0;
-    return !mst_wheelHasGround(w) || (b && MdtBodyIsMover(b) && !McdModelIsCurrent(w->ground));
-}
-
 static int MEAPI isGround(McdModelID cm, void *vehicle) {
     const MstVehicle *v = vehicle;
     for (int i = 0; i < v->wheelCount && v->params.cast == kMstVehicleBodies; i++)
@@ -109,6 +102,15 @@ static int MEAPI isGround(McdModelID cm, void *vehicle) {
     if (cm == v->chassis || (mst_bodyOf(cm) && mst_bodyOf(cm) == mst_bodyOf(v->chassis)))
         return 0;
     return v->params.filter ? v->params.filter(cm, v->params.filterData) : McdQueryByPairs(cm, v->chassis);
+}
+
+MeBool mst_wheelIsGroundChanged(const MstVehicle *v, const MstWheel *w) {
+    if (!w->ground)
+        return MEFALSE;
+    if (!mst_wheelHasGround(w) || !McdModelGetSpace(w->ground) || McdModelIsSensor(w->ground) ||
+        !isGround(w->ground, (void *)v))
+        return METRUE;
+    return !mst_freeBodyOf(w->ground) && McdModelGetStamp(w->ground) != w->groundStamp;
 }
 
 /* Whether its shape is cast, not a ray. */
@@ -199,6 +201,7 @@ static MeBool findGround(const MstVehicle *v, MstWheel *w, const MdtKeaTransform
     w->data->length = (double)hit.fraction * path.length - (isShape(w) ? 1 : 2) * (double)w->params.radius;
     w->ground = hit.model;
     w->groundSerial = McdModelGetSerial(hit.model);
+    w->groundStamp = McdModelGetStamp(hit.model);
     return METRUE;
 }
 
@@ -229,7 +232,8 @@ static double frictionPerSlip(const MstWheel *w, int k, double s) {
 static void setTyre(MstWheel *w, double h) {
     MdtBclGroundWheel *d = w->data;
     const double tread = d->radius * d->spin, speed = fmax(fabs(d->velocity[0]), fabs(tread));
-    const double load = fmax(d->load, 1e-3 * d->stiffness * d->freeLength);
+    const double weight = w->stiffness * (w->freeLength - (double)w->params.bump); /* that it carries at rest */
+    const double load = fmax(fmax(d->load, 1e-3 * weight), 1e-12 * w->stiffness * w->freeLength);
     const double slide[2] = {d->velocity[0] - tread, d->velocity[1]};
     double unit[2], s = 0;
     for (int k = 0; k < 2; k++) {
