@@ -84,13 +84,15 @@ static MeBool isTyre(const MstCurve *c) {
 }
 
 const char *mst_wheelFault(const MstWheelParams *p) {
-    const MeReal positive[] = {p->radius, p->width, p->inertia, p->bump};
+    const MeReal positive[] = {p->radius, p->width, p->bump};
     const MeReal notNegative[] = {p->droop, p->stiffness, p->dampingRatio, p->antiRoll,
                                   p->brake, p->handbrake, p->drive,        p->rollingResistance};
     if (!areBetween(p->position, 3, -16777216, 16777216))
         return "position is not finite, or beyond 2^24";
-    if (!areBetween(positive, 4, small, 16777216))
-        return "radius, width, inertia or bump is not > 0, or beyond 2^24";
+    if (!areBetween(positive, 3, small, 16777216))
+        return "radius, width or bump is not > 0, or beyond 2^24";
+    if (!areBetween(&p->inertia, 1, 1e-18, 1e18))
+        return "inertia is not > 0, or beyond 1e18";
     if (!areBetween(notNegative, 8, 0, large))
         return "droop, stiffness, dampingRatio, antiRoll, brake, handbrake, drive or rollingResistance is negative or "
                "not finite";
