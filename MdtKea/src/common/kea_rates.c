@@ -45,8 +45,7 @@ double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
             return 1;
         size = row->body[k] >= 0 ? keaMax(size, s->work->body[row->body[k]].size) : size;
     }
-    MEASSERT(size > 0);
-    return size;
+    return size > 0 ? size : 1; /* both sides of a split row's head or tail may be moved by the program */
 }
 
 double kea_smallerExtent(const MdtKeaSystem *s, const int body[2]) {

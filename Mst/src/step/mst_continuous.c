@@ -66,9 +66,10 @@ static MeReal lagOf(MdtBodyID body) {
     return body ? MdtBodyGetLag(body) : 0;
 }
 
-/* s, the time that the pair's bodies move in this sub-step. */
+/* s, the time that the pair's bodies move in this sub-step. A body that has not moved in this step may have the lag of
+ * an earlier, longer one. */
 static MeReal remainingTime(const MstBridgeRecord *b, const McdModelPair *p) {
-    return b->substep == 0 ? b->ahead : mst_pairLag(p);
+    return b->substep == 0 ? b->ahead : MeMIN(mst_pairLag(p), b->ahead);
 }
 
 static void copyVector(MeVector3 to, const MeReal *from) {
