@@ -53,8 +53,7 @@ double kea_smallerExtent(const MdtKeaSystem *s, const int body[2]) {
     for (int k = 0; k < 2; k++)
         if (body[k] >= 0)
             size = keaMin(size, s->work->body[body[k]].size);
-    MEASSERT(size < HUGE_VAL);
-    return size;
+    return size < HUGE_VAL ? size : 1;
 }
 
 double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed) {

@@ -187,8 +187,10 @@ double kea_rowSpeedScale(const MdtKeaSystem *s) {
 }
 
 KeaResiduals kea_residuals(MdtKeaSystem *s, double speed) {
-    KeaResiduals e;
-    MEASSERT(!(speed <= 0));
+    KeaResiduals e = {.resolution = kea_velocityTolerance, .worst = INFINITY};
+    e.position = e.velocity = e.momentum = e.impulse = e.attachment = INFINITY;
+    if (!(speed > 0)) /* trial poses have diverged so far that effective masses are not positive */
+        return e;
     e.resolution = kea_velocityTolerance * speed;
     e.position = largestPositionError(s, &e.attachment) / kea_positionTolerance;
     e.velocity = kea_problemResidual(&s->work->problem, &e.impulse) / e.resolution;
