@@ -5,9 +5,12 @@
  *  pair (User Guide ch. 4).
  *
  *  Such a shape gets all that a built-in one has: contacts with all geometries, distances, overlaps, casts, times of
- *  impact, rays, a box, mass properties, drawing. Contacts are as exact as those of built-in shapes: flat faces and
- *  straight lines of the surface are found by support points around a contact's normal, so that a box made this way has
- *  four contacts, a cylinder on its side two, an ellipsoid one (docs/collision.md, "A program's own convex shapes").
+ *  impact, rays, a box, mass properties, drawing. Depths and normals are as exact as those of built-in shapes. Flat
+ *  faces and straight lines of the surface are found by support points around a contact's normal, so that a box made
+ *  this way has four contacts, a cylinder on its side two, an ellipsoid one (docs/collision.md, "A program's own convex
+ *  shapes"). Tilted by more than .05 rad against the normal they have their deepest contact alone, where a built-in
+ *  shape keeps the others: small shapes in heaps may overlap more, and rock instead of falling asleep. Prefer a
+ *  built-in shape if there is one.
  *
  *  @code
  *      typedef struct Ellipsoid { double radius[3]; } Ellipsoid;

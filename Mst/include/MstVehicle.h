@@ -70,9 +70,10 @@ typedef struct MstVehicleParams {
     MeReal finalDrive;              /**< > 0, turns of it for one of the driven wheels. */
     MeReal shiftUp, shiftDown;      /**< Turns per minute at which the automatic changes gears. */
     MeReal shiftTime;               /**< s, >= 0, without torque. */
-    MeReal axleLock;      /**< 0 .. 1, differentials between wheels of an axle: 0 open, 1 locked; else the share of
-                                 the axle's torque that may pass to the slower wheel. */
-    MeReal centreLock;    /**< Likewise, between axles. */
+    MeReal axleLock;   /**< 0 .. 1, differentials between wheels of an axle: 0 open; else the share of the axle's torque
+                                 that may pass to the slower wheel. It does not tie the speeds of both: in a curve each
+                                 turns at its own, with 1, too. */
+    MeReal centreLock; /**< Likewise, between axles. */
     MeReal steeringRate;  /**< 1/s, > 0: how fast the steering follows, as a share of full lock; MEINFINITY: at once. */
     MeReal drag;          /**< N s²/m², >= 0: force of the air over the square of the speed. */
     MeReal leanLimit;     /**< rad, 0 .. 1.4: a motorcycle that leans up to that into curves; 0: it does not lean. A

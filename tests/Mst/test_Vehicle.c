@@ -290,8 +290,7 @@ TEST(a_motorcycle_leans_into_curves) {
 
 /* All wheels by one angle: it goes aside without turning. The rear ones alone, or against the front ones: it turns. */
 TEST(any_wheels_may_steer) {
-    static const double angles[][3] = {
-        {.3, .3, 0}, {0, -.3, .3}, {.3, -.3, .6}, {.3, .1, .2}}; /* front, rear, of base */
+    static const double angles[][2] = {{.3, .3}, {0, -.3}, {.3, -.3}, {.3, .1}}; /* rad: front, rear */
     for (int k = 0; k < 4; k++) {
         begin(0);
         for (int i = 0; i < WHEELS; i++)

@@ -53,7 +53,7 @@ double kea_smallerExtent(const MdtKeaSystem *s, const int body[2]) {
     for (int k = 0; k < 2; k++)
         if (body[k] >= 0)
             size = keaMin(size, s->work->body[body[k]].size);
-    return size < HUGE_VAL ? size : 1;
+    return size < HUGE_VAL ? size : 1; /* as above */
 }
 
 double kea_pushSpeed(const MdtKeaSystem *s, const MdtKeaRow *row, double speed) {

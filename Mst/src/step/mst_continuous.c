@@ -18,7 +18,8 @@
  *
  * A large partition is not stopped by a fast body that hits it, as each sub-step would need a solve of the whole
  * partition. The fast body waits in front of it and collides in the next step, which is not divided either. Fast bodies
- * within a large partition get safe times in the first sub-steps only.
+ * within a large partition get safe times in the first sub-steps only, and none for each other: those pairs have
+ * contacts ahead of their impacts, as slow ones do (mst_isWithinLargeIsland).
  *
  * Reads findings, poses and velocities, contacts of the pair. Writes safe times of bodies, and the list of bodies that
  * have one; advances the world. Collide computes the times of impact; commit sets them as safe times.
