@@ -4,7 +4,7 @@
  *
  *      static void MEAPI show(RRender *rc, void *userdata) {
  *          if (RPanelSlider("gravity", &gravity, 0, 20, "m/s²"))
- *              MdtWorldSetGravity(world, 0, -gravity, 0);
+ *              MdtWorldSetGravity(world, 0, 0, -gravity);
  *      }
  *      RPanelCreate(rc, "Moon", show, 0);
  *
