@@ -45,7 +45,7 @@ MEPUBLIC McdGeometryID MEAPI McdAggregateGetElementGeometry(McdAggregateID a, in
  *  element. */
 MEPUBLIC MeMatrix4Ptr MEAPI McdAggregateGetElementTransformPtr(McdAggregateID a, int i);
 
-/** @name The type's functions
+/** @name The type's functions, as every type has them: see McdGeometryDeclare.h
  *  @{ */
 MEPUBLIC MeI16 MEAPI McdAggregateGetTypeId(void);
 MEPUBLIC char *MEAPI McdAggregateGetTypeName(McdGeometryID g);

@@ -68,6 +68,8 @@ MEPUBLIC void MEAPI McdGeometryUpdate(McdGeometryID g);
 MEPUBLIC void MEAPI McdGeometryInit(McdGeometryID g, McdFramework *frame, MeI16 typeId);
 /** Releases the head: removes the geometry from its framework. */
 MEPUBLIC void MEAPI McdGeometryDeinit(McdGeometryID g);
+/** The number of models and aggregates that use it: McdGeometryDestroy refuses above 0. A type of a program changes it
+ *  only for references of its own. */
 MEPUBLIC int MEAPI McdGeometryGetReferenceCount(const McdGeometryID g);
 MEPUBLIC void MEAPI McdGeometrySetReferenceCount(McdGeometryID g, int refCount);
 MEPUBLIC void MEAPI McdGeometryIncrementReferenceCount(McdGeometryID g);

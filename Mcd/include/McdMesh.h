@@ -65,6 +65,7 @@ MEPUBLIC McdMeshID MEAPI McdMeshCreateScaled(McdMeshID mesh, const MeVector3 sca
 MEPUBLIC void MEAPI McdMeshSetVertices(McdMeshID mesh, const MeVector3 *vertices);
 /** The flags of its creation. */
 MEPUBLIC int MEAPI McdMeshGetFlags(McdMeshID mesh);
+/** As given at creation, welded and left-out ones included. */
 MEPUBLIC int MEAPI McdMeshGetVertexCount(McdMeshID mesh);
 MEPUBLIC int MEAPI McdMeshGetTriangleCount(McdMeshID mesh);
 /** The number of triangles that were left out at creation. */

@@ -31,11 +31,15 @@ MEPUBLIC MeU64 MEAPI McdModelGetSerial(McdModelID cm);
 
 /** @name Shape
  *  @{ */
+/** The geometry of its creation, or of McdModelSetGeometry. */
 MEPUBLIC McdGeometryID MEAPI McdModelGetGeometry(McdModelID cm);
 /** Sets another geometry of the same framework. To or from an aggregate only while the model is not in a space, else
  *  a warning. The mass of its body does not change. */
 MEPUBLIC void MEAPI McdModelSetGeometry(McdModelID cm, McdGeometryID g);
+/** The number of its geometry's type, as McdGeometryGetType. */
 MEPUBLIC McdGeometryType MEAPI McdModelGetGeometryType(McdModelID cm);
+/** What the model has of its geometry (McdGeometryInstance.h): transform, box, material and, of an aggregate, child
+ *  instances. The model owns it. */
 MEPUBLIC McdGeometryInstanceID MEAPI McdModelGetGeometryInstance(McdModelID cm);
 /** The box along the world's axes, as of the last update. */
 MEPUBLIC void MEAPI McdModelGetAABB(McdModelID cm, MeVector3 minCorner, MeVector3 maxCorner);
@@ -125,6 +129,7 @@ MEPUBLIC MeBool MEAPI McdModelIsSensor(McdModelID cm);
  * them is unfrozen. Beyond Karma.
  */
 MEPUBLIC void MEAPI McdModelSetFilter(McdModelID cm, MeU32 category, MeU32 mask);
+/** The group of McdModelSetFilter; 0: none. */
 MEPUBLIC void MEAPI McdModelSetFilterGroup(McdModelID cm, int group);
 MEPUBLIC MeU32 MEAPI McdModelGetFilterCategory(McdModelID cm);
 MEPUBLIC MeU32 MEAPI McdModelGetFilterMask(McdModelID cm);
@@ -143,6 +148,7 @@ MEPUBLIC McdModelIntersectFnPtr MEAPI McdModelGetIntersectCallback(McdModelID cm
 
 /** @name The program's data
  *  @{ */
+/** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI McdModelSetUserData(McdModelID cm, void *data);
 MEPUBLIC void *MEAPI McdModelGetUserData(McdModelID cm);
 /** The body; the Simulation Toolkit's McdModelSetBody and McdModelGetBody know its type. */

@@ -23,6 +23,7 @@ MEPUBLIC McdRequest *MEAPI McdModelPairGetRequestPtr(const McdModelPairID p);
 MEPUBLIC void MEAPI McdModelPairGetModels(McdModelPairID p, McdModelID *m1, McdModelID *m2);
 /** The names of both geometry types. */
 MEPUBLIC void MEAPI McdModelPairGetGeometryNames(McdModelPairID p, const char **name1, const char **name2);
+/** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI McdModelPairSetUserData(McdModelPairID p, void *data);
 MEPUBLIC void *MEAPI McdModelPairGetUserData(McdModelPairID p);
 

@@ -23,6 +23,7 @@ MEPUBLIC void MEAPI McdModelPairContainerInit(McdModelPairContainer *c, McdModel
 MEPUBLIC void MEAPI McdModelPairContainerReset(McdModelPairContainer *c);
 
 /** @name Adding and removing. Returns 1 if there was room.
+ *  McdSpaceGetPairs fills a container; programs with pairs of their own insert them by these.
  *  @{ */
 MEPUBLIC MeBool MEAPI McdModelPairContainerInsertHelloPair(McdModelPairContainer *c, McdModelPairID p);
 MEPUBLIC MeBool MEAPI McdModelPairContainerInsertStayingPair(McdModelPairContainer *c, McdModelPairID p);
@@ -32,6 +33,7 @@ MEPUBLIC void MEAPI McdModelPairContainerRemovePair(McdModelPairContainer *c, Mc
 /** @} */
 
 /** @name Contents. The arrays are valid until the container changes.
+ *  @a count receives the number of pairs in the array that is returned.
  *  @{ */
 MEPUBLIC int MEAPI McdModelPairContainerGetHelloCount(McdModelPairContainer *c);
 MEPUBLIC int MEAPI McdModelPairContainerGetStayingCount(McdModelPairContainer *c);

@@ -61,7 +61,7 @@ MEPUBLIC MeBool MEAPI McdModelPairManagerGetPairs(McdModelPairManagerID manager,
 MEPUBLIC MeBool MEAPI McdModelPairManagerGetTransitions(McdModelPairManagerID manager, McdSpacePairIterator *iterator,
                                                         McdModelPairContainer *container);
 
-/** @name Callback for pairs without room; null, the default: one warning
+/** @name Callback for pairs without room (McdModelPairManagerActivate); null, the default: one warning
  *  It may do anything but change the manager (docs/simulation.md, "Callbacks").
  *  @{ */
 MEPUBLIC void MEAPI McdModelPairManagerSetPoolFullHandler(McdModelPairManagerID manager,

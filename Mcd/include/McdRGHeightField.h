@@ -35,12 +35,14 @@ MEPUBLIC McdRGHeightFieldID MEAPI McdRGHeightFieldCreate(McdFramework *frame, co
 /** @name Accessors
  *  For a geometry that is not a height field: a warning, and a result of 0 or null.
  *  @{ */
+/** The program's array, m. */
 MEPUBLIC const MeReal *MEAPI McdRGHeightFieldGetHeights(McdRGHeightFieldID g);
 /** Sets other heights, by pointer. */
 MEPUBLIC void MEAPI McdRGHeightFieldSetHeights(McdRGHeightFieldID g, const MeReal *heights);
 /** McdGeometryUpdate for a height field, to be called after heights have changed. Finds the lowest and the highest
  *  one, for the box. Without a universe, the models must be updated after it. */
 MEPUBLIC void MEAPI McdRGHeightFieldUpdateHeights(McdRGHeightFieldID g);
+/** Numbers of points, distances of points (m), and the place of the first one (m), as given at creation. */
 MEPUBLIC void MEAPI McdRGHeightFieldGetCounts(McdRGHeightFieldID g, int *xCount, int *yCount);
 MEPUBLIC void MEAPI McdRGHeightFieldGetSteps(McdRGHeightFieldID g, MeReal *xStep, MeReal *yStep);
 MEPUBLIC void MEAPI McdRGHeightFieldGetOrigin(McdRGHeightFieldID g, MeReal *x0, MeReal *y0);
@@ -50,7 +52,7 @@ MEPUBLIC MeBool MEAPI McdRGHeightFieldGetHeightAt(McdRGHeightFieldID g, MeReal x
                                                   MeVector3 normal);
 /** @} */
 
-/** @name The type's functions
+/** @name The type's functions, as every type has them: see McdGeometryDeclare.h
  *  @{ */
 MEPUBLIC MeI16 MEAPI McdRGHeightFieldGetTypeId(void);
 MEPUBLIC char *MEAPI McdRGHeightFieldGetTypeName(McdGeometryID g);

@@ -84,6 +84,7 @@ ME_BEGIN_C
 MEPUBLIC void MEAPI McdSpaceDestroy(McdSpaceID s);
 /** Rebuilds the tree of boxes: useful after most models were inserted. Legal anywhere, never required. */
 MEPUBLIC void MEAPI McdSpaceBuild(McdSpaceID s);
+/** A pointer of the program's, which nothing reads. Default null. Legal anywhere. */
 MEPUBLIC void MEAPI McdSpaceSetUserData(McdSpaceID s, void *data);
 MEPUBLIC void *MEAPI McdSpaceGetUserData(McdSpaceID s);
 /** Sets the callback for pairs without room (docs/simulation.md, "Callbacks"); null: none. Legal anywhere. */

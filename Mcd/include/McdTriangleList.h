@@ -43,19 +43,22 @@ MEPUBLIC McdTriangleListID MEAPI McdTriangleListCreate(McdFramework *frame, MeVe
 /** @name Accessors
  *  For a geometry that is not a triangle list: a warning; getters return 0 or null.
  *  @{ */
+/** m, in the list's frame. */
 MEPUBLIC void MEAPI McdTriangleListGetBoundingBox(McdTriangleListID g, MeVector3 min, MeVector3 max);
 /** Takes effect at the next update of its models. Unless min <= max: a warning, and no change. */
 MEPUBLIC void MEAPI McdTriangleListSetBoundingBox(McdTriangleListID g, MeVector3 min, MeVector3 max);
 MEPUBLIC McdTriangleListFnPtr MEAPI McdTriangleListGetGenerator(McdTriangleListID g);
+/** Sets another callback; null: no triangles. Call McdGeometryUpdate after it. */
 MEPUBLIC void MEAPI McdTriangleListSetGenerator(McdTriangleListID g, McdTriangleListFnPtr f);
 MEPUBLIC int MEAPI McdTriangleListGetMaxTriangles(McdTriangleListID g);
 /** 1 or more; otherwise a warning, and no change. Not from within the callback. */
 MEPUBLIC void MEAPI McdTriangleListSetMaxTriangles(McdTriangleListID g, int max);
 MEPUBLIC void *MEAPI McdTriangleListGetUserData(McdTriangleListID g);
+/** A pointer of the program's, for its callback. Default null. */
 MEPUBLIC void MEAPI McdTriangleListSetUserData(McdTriangleListID g, void *data);
 /** @} */
 
-/** @name The type's functions
+/** @name The type's functions, as every type has them: see McdGeometryDeclare.h
  *  @{ */
 MEPUBLIC MeI16 MEAPI McdTriangleListGetTypeId(void);
 MEPUBLIC char *MEAPI McdTriangleListGetTypeName(McdGeometryID g);

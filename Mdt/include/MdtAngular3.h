@@ -37,7 +37,9 @@ MEPUBLIC MeReal MEAPI MdtAngular3GetDamping(const MdtAngular3ID j);
 /** @} */
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtAngular3Destroy(const MdtAngular3ID j);
 MEPUBLIC void MEAPI MdtAngular3Enable(const MdtAngular3ID j);

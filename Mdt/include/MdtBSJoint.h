@@ -39,7 +39,9 @@ MEPUBLIC void MEAPI MdtBSJointGetMotorTarget(const MdtBSJointID j, MeVector4 q);
 /** @} */
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtBSJointDestroy(const MdtBSJointID j);
 MEPUBLIC void MEAPI MdtBSJointEnable(const MdtBSJointID j);

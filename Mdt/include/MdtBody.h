@@ -11,8 +11,8 @@
  *
  *  A new body is disabled; MdtBodyEnable adds it to the simulation. The world disables bodies at rest (MdtWorld.h).
  *  Such a body wakes when it is enabled, when a constraint connects it to an enabled body, and when something would
- *  move it: docs/simulation.md, "Sleep", has the table. A body that the program has disabled, or never enabled, stays
- *  disabled: forces on it add up until it is enabled.
+ *  move it: docs/simulation.md, "Sleep", has the table. A body that the program has disabled, or never enabled, wakes
+ *  by the first two only; forces on it add up until then.
  *
  *  Positions have a bound in every coordinate (MdtBodyGetPositionBound): 2^24 times the world's length scale in single
  *  precision, 2^53 in double. There, neighbouring floating-point numbers differ by the size of an object. A body that
@@ -50,6 +50,7 @@ MEPUBLIC void MEAPI MdtBodyEnable(const MdtBodyID b);
 /** Removes the body from the simulation; it keeps its velocity. An enabled body that a constraint connects to it wakes
  *  it. */
 MEPUBLIC void MEAPI MdtBodyDisable(const MdtBodyID b);
+/** False while it sleeps, after MdtBodyDisable, and for a new body. */
 MEPUBLIC MeBool MEAPI MdtBodyIsEnabled(const MdtBodyID b);
 /** Seconds for which the body has been enabled. */
 MEPUBLIC MeReal MEAPI MdtBodyGetEnabledTime(const MdtBodyID b);
@@ -61,6 +62,8 @@ MEPUBLIC MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionP
 /** @name The body's frame
  *  Transforms are stored as in OpenGL: rows 0-2 are the frame's axes, row 3 its origin.
  *  @{ */
+/** m, world frame, of the frame's origin. The body is there at once: it keeps its velocity, pushes nothing on the way,
+ *  and wakes. MdtBodyMoveTo moves a kinematic body instead. */
 MEPUBLIC void MEAPI MdtBodySetPosition(const MdtBodyID b, const MeReal x, const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtBodyGetPosition(const MdtBodyID b, MeVector3 p);
 /** m, > 0: the bound of the centre of mass's coordinates, in both directions. Beyond Karma. */
@@ -72,6 +75,7 @@ MEPUBLIC void MEAPI MdtBodyGetQuaternion(const MdtBodyID b, MeVector4 q);
 /** @a R maps body coordinates to world coordinates: y = R x. It must be a rotation to 1 %, and is orthonormalized. */
 MEPUBLIC void MEAPI MdtBodySetOrientation(const MdtBodyID b, const MeMatrix3 R);
 MEPUBLIC void MEAPI MdtBodyGetOrientation(const MdtBodyID b, MeMatrix3 R);
+/** Position (m) and rotation at once, as MdtBodySetPosition and MdtBodySetOrientation; a scale is refused. */
 MEPUBLIC void MEAPI MdtBodySetTransform(const MdtBodyID b, const MeMatrix4 tm);
 MEPUBLIC void MEAPI MdtBodyGetTransform(const MdtBodyID b, MeMatrix4 m);
 /** Pointer to the transform, which each step updates; valid as long as the body. Read only. */
@@ -82,11 +86,13 @@ MEPUBLIC MeMatrix4Ptr MEAPI MdtBodyGetTransformPtr(const MdtBodyID b);
  *  The relative position and transform are its pose in the body's frame (default: the body's origin). Setting them
  *  moves the centre of mass, not the frame. The inertia tensor is in the axes of the centre of mass.
  *  @{ */
+/** m, in the body's frame. Shapes and attachments of joints stay where they are. */
 MEPUBLIC void MEAPI MdtBodySetCenterOfMassRelativePosition(const MdtBodyID b, const MeVector3 pos);
 MEPUBLIC void MEAPI MdtBodyGetCenterOfMassRelativePosition(const MdtBodyID b, MeVector3 pos);
+/** The same with the axes of the inertia tensor; rotation as for MdtBodySetOrientation. */
 MEPUBLIC void MEAPI MdtBodySetCenterOfMassRelativeTransform(const MdtBodyID b, const MeMatrix4 t);
 MEPUBLIC void MEAPI MdtBodyGetCenterOfMassRelativeTransform(const MdtBodyID b, MeMatrix4 t);
-/** World position of the centre of mass. Setting it moves the whole body. */
+/** m, world frame: position of the centre of mass. Setting it moves the whole body. */
 MEPUBLIC void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos);
 MEPUBLIC void MEAPI MdtBodyGetCenterOfMassPosition(const MdtBodyID b, MeVector3 pos);
 /** Pointer to the transform of the centre of mass, as MdtBodyGetTransformPtr. */
@@ -98,15 +104,21 @@ MEPUBLIC MeMatrix4Ptr MEAPI MdtBodyGetCenterOfMassTransformPtr(const MdtBodyID b
  *  effect of constraints. Programs may also write through the pointers: the next step, or the next call that reads the
  *  velocity, applies the new value.
  *  @{ */
+/** m/s, world frame. It wakes a sleeping body. */
 MEPUBLIC void MEAPI MdtBodySetLinearVelocity(const MdtBodyID b, const MeReal dx, const MeReal dy, const MeReal dz);
 MEPUBLIC void MEAPI MdtBodyGetLinearVelocity(const MdtBodyID b, MeVector3 v);
+/** Pointer to the velocity, m/s, for reading and writing; valid as long as the body. */
 MEPUBLIC MeReal *MEAPI MdtBodyGetLinearVelocityPtr(const MdtBodyID b);
+/** rad/s, world frame, right-hand rule. */
 MEPUBLIC void MEAPI MdtBodySetAngularVelocity(const MdtBodyID b, const MeReal wx, const MeReal wy, const MeReal wz);
 MEPUBLIC void MEAPI MdtBodyGetAngularVelocity(const MdtBodyID b, MeVector3 v);
+/** As MdtBodyGetLinearVelocityPtr, rad/s. */
 MEPUBLIC MeReal *MEAPI MdtBodyGetAngularVelocityPtr(const MdtBodyID b);
+/** m/s², world frame. */
 MEPUBLIC void MEAPI MdtBodyGetLinearAcceleration(const MdtBodyID b, MeVector3 v);
+/** rad/s², world frame. */
 MEPUBLIC void MEAPI MdtBodyGetAngularAcceleration(const MdtBodyID b, MeVector3 v);
-/** Velocity of the body's point that is now at the world position @a p. */
+/** m/s, world frame: velocity of the body's point that is now at the world position @a p. */
 MEPUBLIC void MEAPI MdtBodyGetVelocityAtPoint(const MdtBodyID body, MeVector3 p, MeVector3 v);
 /** J, of translation and rotation. */
 MEPUBLIC MeReal MEAPI MdtBodyGetKineticEnergy(const MdtBodyID b);
@@ -215,10 +227,12 @@ MEPUBLIC void MEAPI MdtBodyAddForceAtPosition(const MdtBodyID b, const MeReal fx
                                               const MeReal px, const MeReal py, const MeReal pz);
 /** Adds a torque, N m. */
 MEPUBLIC void MEAPI MdtBodyAddTorque(const MdtBodyID b, const MeReal tx, const MeReal ty, const MeReal tz);
+/** Adds an impulse, N s, at the centre of mass: it changes the velocity by impulse / mass. */
 MEPUBLIC void MEAPI MdtBodyAddImpulse(const MdtBodyID b, const MeReal ix, const MeReal iy, const MeReal iz);
+/** Adds an impulse, N s, at the world position (px, py, pz), m. */
 MEPUBLIC void MEAPI MdtBodyAddImpulseAtPosition(const MdtBodyID b, const MeReal ix, const MeReal iy, const MeReal iz,
                                                 const MeReal px, const MeReal py, const MeReal pz);
-/** The sum of the forces, or torques, added since the last step. */
+/** The sum of the forces [N], or torques [N m], added since the last step; without impulses, gravity and joints. */
 MEPUBLIC void MEAPI MdtBodyGetForce(const MdtBodyID b, MeVector3 v);
 MEPUBLIC void MEAPI MdtBodyGetTorque(const MdtBodyID b, MeVector3 v);
 /** Clears the forces and torques, or the impulses, added since the last step. */
@@ -255,7 +269,9 @@ MEPUBLIC void MEAPI MdtBodySetNoFastSpinAxis(const MdtBodyID b);
 
 /** @name Bookkeeping
  *  @{ */
+/** Null, with a warning, for a bad handle. */
 MEPUBLIC MdtWorldID MEAPI MdtBodyGetWorld(const MdtBodyID b);
+/** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI MdtBodySetUserData(const MdtBodyID b, void *d);
 MEPUBLIC void *MEAPI MdtBodyGetUserData(const MdtBodyID b);
 /** The body's representation in collision detection, owned by the Simulation Toolkit (McdModelSetBody). Default null.

@@ -29,6 +29,7 @@ MEPUBLIC MdtConstraintID MEAPI MdtCarWheelQuaConstraint(const MdtCarWheelID j);
 MEPUBLIC MdtCarWheelID MEAPI MdtConstraintDCastCarWheel(const MdtConstraintID c);
 /** @name Axes in the world frame. The setters normalize them; for bad input see MdtConstraint.h
  *  @{ */
+/** Set both axes while the wheel stands straight: the hinge axis is made orthogonal to the steering axis. */
 MEPUBLIC void MEAPI MdtCarWheelSetSteeringAxis(const MdtCarWheelID j, const MeReal x, const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtCarWheelGetSteeringAxis(const MdtCarWheelID j, MeVector3 v);
 MEPUBLIC void MEAPI MdtCarWheelSetHingeAxis(const MdtCarWheelID j, const MeReal xHinge, const MeReal yHinge,
@@ -44,8 +45,10 @@ MEPUBLIC void MEAPI MdtCarWheelGetSteeringAndHingeAxes(const MdtCarWheelID j, co
  *  A new wheel's motor holds the steering at rest with up to 1e9 N m. A negative force counts as 0, which leaves it
  *  free.
  *  @{ */
+/** METRUE: the steering is held as rigidly as a joint, at the angle 0. Default MEFALSE. */
 MEPUBLIC void MEAPI MdtCarWheelSetSteeringLock(const MdtCarWheelID j, const MeBool lock);
 MEPUBLIC MeBool MEAPI MdtCarWheelIsSteeringLocked(const MdtCarWheelID j);
+/** rad/s, N m: turns the steering at a velocity. Ends a position motor. */
 MEPUBLIC void MEAPI MdtCarWheelSetSteeringLimitedForceMotor(const MdtCarWheelID j, const MeReal desiredVelocity,
                                                             const MeReal forceLimit);
 /** Beyond Karma: holds the steering at an angle [rad], as MdtCarWheelGetSteeringAngle tells it, in place of a motor
@@ -63,6 +66,8 @@ MEPUBLIC MeReal MEAPI MdtCarWheelGetSteeringAngleRate(const MdtCarWheelID j);
 /** @} */
 /** @name Rolling: a motor of limited force, off by default; with the velocity 0 it is a brake
  *  @{ */
+/** rad/s of the wheel relative to the chassis, positive about the hinge axis, and N m. A negative torque counts as 0.
+ *  */
 MEPUBLIC void MEAPI MdtCarWheelSetHingeLimitedForceMotor(const MdtCarWheelID j, const MeReal desiredVelocity,
                                                          const MeReal forceLimit);
 MEPUBLIC MeReal MEAPI MdtCarWheelGetHingeMotorDesiredVelocity(const MdtCarWheelID j);
@@ -76,6 +81,7 @@ MEPUBLIC MeReal MEAPI MdtCarWheelGetHingeAngleRate(const MdtCarWheelID j);
  *  Kp in N/m and Kd in N s/m, at least 0. The stops are hard if @a limit_softness [1/kg] is 0; otherwise it is added to
  *  the world's epsilon at the stops. A low limit above the high one gets a warning, and nothing is changed.
  *  @{ */
+/** @a lolimit, @a hilimit, @a reference: heights of the wheel, m. New wheels have Kp = Kd = 0: set a spring. */
 MEPUBLIC void MEAPI MdtCarWheelSetSuspension(const MdtCarWheelID j, const MeReal Kp, const MeReal Kd,
                                              const MeReal limit_softness, const MeReal lolimit, const MeReal hilimit,
                                              const MeReal reference);
@@ -91,7 +97,9 @@ MEPUBLIC MeReal MEAPI MdtCarWheelGetSuspensionRate(const MdtCarWheelID j);
 /** @} */
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtCarWheelDestroy(const MdtCarWheelID j);
 MEPUBLIC void MEAPI MdtCarWheelEnable(const MdtCarWheelID j);

@@ -36,10 +36,13 @@ MEPUBLIC MeReal MEAPI MdtConeLimitGetDamping(const MdtConeLimitID j);
 MEPUBLIC void MEAPI MdtConeLimitBodySetAxesRel(const MdtConeLimitID j, const unsigned int bodyindex, const MeReal px,
                                                const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
                                                const MeReal oz);
+/** As MdtConstraintGetAxes. */
 MEPUBLIC void MEAPI MdtConeLimitGetAxes(const MdtConeLimitID j, MeVector3 primary, MeVector3 ortho);
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtConeLimitDestroy(const MdtConeLimitID j);
 MEPUBLIC void MEAPI MdtConeLimitEnable(const MdtConeLimitID j);

@@ -30,6 +30,7 @@ MEPUBLIC MeBool MEAPI MdtConstraintIsValid(const MdtConstraintID c);
 MEPUBLIC void MEAPI MdtConstraintEnable(const MdtConstraintID c);
 /** Stops the constraint from acting. This wakes its sleeping bodies; so does destroying the constraint. */
 MEPUBLIC void MEAPI MdtConstraintDisable(const MdtConstraintID c);
+/** False for a new constraint, after MdtConstraintDisable, and after a break. */
 MEPUBLIC MeBool MEAPI MdtConstraintIsEnabled(const MdtConstraintID c);
 /** @} */
 
@@ -46,9 +47,12 @@ MEPUBLIC MdtBodyID MEAPI MdtConstraintGetBody(const MdtConstraintID c, const uns
 MEPUBLIC void MEAPI MdtConstraintSetPosition(const MdtConstraintID c, const MeReal x, const MeReal y, const MeReal z);
 /** The present position on the first body (on the second, if the first is the world). */
 MEPUBLIC void MEAPI MdtConstraintGetPosition(const MdtConstraintID c, MeVector3 p);
+/** The attachment to one body only, m, world frame: the joint pulls the two points together. */
 MEPUBLIC void MEAPI MdtConstraintBodySetPosition(const MdtConstraintID c, const unsigned int bodyindex, const MeReal x,
                                                  const MeReal y, const MeReal z);
+/** The present attachment to the body of index 0 or 1, m, world frame. */
 MEPUBLIC void MEAPI MdtConstraintBodyGetPosition(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p);
+/** The same, m, in the frame of that body's centre of mass; of the world, if the body is null. */
 MEPUBLIC void MEAPI MdtConstraintBodySetPositionRel(const MdtConstraintID c, const unsigned int bodyindex,
                                                     const MeReal x, const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtConstraintBodyGetPositionRel(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p);
@@ -61,11 +65,14 @@ MEPUBLIC void MEAPI MdtConstraintSetAxes(const MdtConstraintID c, const MeReal p
                                          const MeReal ox, const MeReal oy, const MeReal oz);
 /** The present axes on the first body (on the second, if the first is the world). */
 MEPUBLIC void MEAPI MdtConstraintGetAxes(const MdtConstraintID c, MeVector3 p, MeVector3 o);
+/** The axes of one body only, world frame, made as by MdtConstraintSetAxes: the joint turns the bodies until both
+ *  agree. */
 MEPUBLIC void MEAPI MdtConstraintBodySetAxes(const MdtConstraintID c, const unsigned int bodyindex, const MeReal px,
                                              const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
                                              const MeReal oz);
 MEPUBLIC void MEAPI MdtConstraintBodyGetAxes(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p,
                                              MeVector3 o);
+/** The same, in the frame of that body's centre of mass; of the world, if the body is null. */
 MEPUBLIC void MEAPI MdtConstraintBodySetAxesRel(const MdtConstraintID c, const unsigned int bodyindex, const MeReal px,
                                                 const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
                                                 const MeReal oz);
@@ -141,7 +148,9 @@ MEPUBLIC void MEAPI MdtConstraintGetWorldAngularVelocity(const MdtConstraintID c
 
 /** @name Bookkeeping
  *  @{ */
+/** The world that owns it; null, with a warning, for a bad handle. */
 MEPUBLIC MdtWorldID MEAPI MdtConstraintGetWorld(const MdtConstraintID c);
+/** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI MdtConstraintSetUserData(const MdtConstraintID c, void *d);
 MEPUBLIC void *MEAPI MdtConstraintGetUserData(const MdtConstraintID c);
 /** Like MdtBodySetSortKey. */

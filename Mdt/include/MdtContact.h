@@ -48,6 +48,7 @@ MEPUBLIC MdtContactID MEAPI MdtConstraintDCastContact(const MdtConstraintID c);
 
 /** @name Geometry
  *  @{ */
+/** m, world frame. */
 MEPUBLIC void MEAPI MdtContactSetPosition(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z);
 MEPUBLIC void MEAPI MdtContactGetPosition(const MdtContactID c, MeVector3 v);
 /** Normalized here; a zero normal gets a warning. A primary direction that was set is projected on the new plane. */
@@ -110,6 +111,7 @@ MEPUBLIC void MEAPI MdtContactGetRelativeVelocity(const MdtContactID c, MeVector
 
 /** @name A linked list of contacts for their maker (collision uses it)
  *  @{ */
+/** Sets the contact after @a c in the maker's list. */
 MEPUBLIC void MEAPI MdtContactSetNext(const MdtContactID c, const MdtContactID nc);
 /** MdtContactInvalidID at the end. */
 MEPUBLIC MdtContactID MEAPI MdtContactGetNext(const MdtContactID c);
@@ -119,7 +121,9 @@ MEPUBLIC MdtContactID MEAPI MdtContactGetNext(const MdtContactID c);
 MEPUBLIC MdtContactGroupID MEAPI MdtContactGetContactGroup(const MdtContactID c);
 
 /** @name Functions that every constraint has, under its own name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtContactDestroy(const MdtContactID j);
 MEPUBLIC void MEAPI MdtContactEnable(const MdtContactID j);

@@ -30,9 +30,13 @@ MEPUBLIC void MEAPI MdtContactParamsSetSurface(const MdtContactParamsID p, MeRea
 MEPUBLIC void MEAPI MdtContactParamsReset(const MdtContactParamsID p);
 
 /** @name Kind of friction
+ *  A value that is none of the enumeration (MdtBclTypes.h) gets a warning and changes nothing.
  *  @{ */
+/** None, along the primary direction, or in the contact plane. Default MdtContactTypeFrictionZero. */
 MEPUBLIC void MEAPI MdtContactParamsSetType(const MdtContactParamsID p, MdtContactType t);
 MEPUBLIC MdtContactType MEAPI MdtContactParamsGetType(const MdtContactParamsID p);
+/** Whether the bound of friction is a force, or a coefficient times the normal force for each direction or for both
+ *  together (the cone). Default MdtFrictionModelBox. */
 MEPUBLIC void MEAPI MdtContactParamsSetFrictionModel(const MdtContactParamsID p, MdtFrictionModel m);
 MEPUBLIC void MEAPI MdtContactParamsSetPrimaryFrictionModel(const MdtContactParamsID p, MdtFrictionModel m);
 MEPUBLIC void MEAPI MdtContactParamsSetSecondaryFrictionModel(const MdtContactParamsID p, MdtFrictionModel m);
@@ -40,7 +44,9 @@ MEPUBLIC MdtFrictionModel MEAPI MdtContactParamsGetPrimaryFrictionModel(const Md
 MEPUBLIC MdtFrictionModel MEAPI MdtContactParamsGetSecondaryFrictionModel(const MdtContactParamsID p);
 /** @} */
 
-/** @name Friction force of the box model, N, >= 0; MEINFINITY: no sliding
+/** @name Friction force of the box model, N, >= 0; MEINFINITY, the default: no sliding
+ *  It is a force and no coefficient, and acts only with a type and the box model: MdtContactParamsSetSurface sets
+ *  Coulomb's friction.
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetFriction(const MdtContactParamsID p, MeReal f);
 MEPUBLIC void MEAPI MdtContactParamsSetPrimaryFriction(const MdtContactParamsID p, MeReal f);
@@ -49,7 +55,7 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimaryFriction(const MdtContactParamsI
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondaryFriction(const MdtContactParamsID p);
 /** @} */
 
-/** @name Friction coefficient of the normal-force model, >= 0 (the misspelling is Karma's)
+/** @name Friction coefficient of the normal-force model and of the cone, >= 0, default 0 (the misspelling is Karma's)
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetFrictionCoeffecient(const MdtContactParamsID p, MeReal f);
 MEPUBLIC void MEAPI MdtContactParamsSetPrimaryFrictionCoeffecient(const MdtContactParamsID p, MeReal f);
@@ -58,7 +64,7 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimaryFrictionCoeffecient(const MdtCon
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondaryFrictionCoeffecient(const MdtContactParamsID p);
 /** @} */
 
-/** @name Slip: tangential velocity per tangential force, m/s per N, >= 0; 0: no slip
+/** @name Slip: tangential velocity per tangential force, m/s per N, >= 0; 0, the default: no slip
  *  The surfaces slide at a velocity of slip times the tangential force of the contact. A body under a constant force
  *  approaches the velocity slip times force with the time constant slip times mass.
  *  @{ */
@@ -70,6 +76,7 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondarySlip(const MdtContactParamsID 
 /** @} */
 
 /** @name Slide: velocity of the second body's surface, which carries the first body along, m/s; needs friction
+ *  Along the primary and the secondary direction of the contact (MdtContactSetDirection). Default 0.
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetPrimarySlide(const MdtContactParamsID p, MeReal s);
 MEPUBLIC void MEAPI MdtContactParamsSetSecondarySlide(const MdtContactParamsID p, MeReal s);
@@ -106,7 +113,8 @@ MEPUBLIC void MEAPI MdtContactParamsSetSoftness(const MdtContactParamsID p, MeRe
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSoftness(const MdtContactParamsID p);
 /** @} */
 
-/** @name Adhesion: the largest pulling force of the contact, N, >= 0; MEINFINITY: the bodies never separate
+/** @name Adhesion: the largest pulling force of the contact, N, >= 0, default 0
+ *  MEINFINITY: the bodies never separate.
  *  @{ */
 MEPUBLIC void MEAPI MdtContactParamsSetMaxAdhesiveForce(const MdtContactParamsID p, MeReal s);
 MEPUBLIC MeReal MEAPI MdtContactParamsGetMaxAdhesiveForce(const MdtContactParamsID p);

@@ -26,7 +26,9 @@ MEPUBLIC void MEAPI MdtFPFOJointSetPosition(const MdtFPFOJointID j, const MeReal
 MEPUBLIC void MEAPI MdtFPFOJointGetPosition(const MdtFPFOJointID j, const unsigned int bodyindex, MeVector3 pos);
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtFPFOJointDestroy(const MdtFPFOJointID j);
 MEPUBLIC void MEAPI MdtFPFOJointEnable(const MdtFPFOJointID j);

@@ -32,7 +32,9 @@ MEPUBLIC void MEAPI MdtFixedPathSetVelocity(const MdtFixedPathID j, const unsign
 MEPUBLIC void MEAPI MdtFixedPathGetVelocity(const MdtFixedPathID j, const unsigned int bodyindex, MeVector3 velocity);
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtFixedPathDestroy(const MdtFixedPathID j);
 MEPUBLIC void MEAPI MdtFixedPathEnable(const MdtFixedPathID j);

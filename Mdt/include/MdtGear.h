@@ -59,7 +59,9 @@ MEPUBLIC MeReal MEAPI MdtGearGetCoordinate(const MdtGearID j, const unsigned int
 MEPUBLIC MeReal MEAPI MdtGearGetError(const MdtGearID j);
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtGearDestroy(const MdtGearID j);
 MEPUBLIC void MEAPI MdtGearEnable(const MdtGearID j);

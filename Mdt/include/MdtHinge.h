@@ -30,7 +30,9 @@ MEPUBLIC MdtLimitID MEAPI MdtHingeGetLimit(const MdtHingeID j);
 MEPUBLIC void MEAPI MdtHingeSetLimit(const MdtHingeID j, const MdtLimitID NewLimit);
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtHingeDestroy(const MdtHingeID j);
 MEPUBLIC void MEAPI MdtHingeEnable(const MdtHingeID j);

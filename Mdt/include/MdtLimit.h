@@ -112,6 +112,7 @@ MEPUBLIC MeReal MEAPI MdtLimitGetMotorDampingRatio(const MdtLimitID l);
 /** Switches the lock on, at a value [m] with a force limit [N] (a negative one counts as 0). Gamma corrects the error.
  *  */
 MEPUBLIC void MEAPI MdtLimitSetLock(const MdtLimitID l, const MeReal lock_value, const MeReal forceLimit);
+/** Switches the lock on at its last value and force, or off. Default off. */
 MEPUBLIC void MEAPI MdtLimitActivateLock(const MdtLimitID l, const MeBool NewActivationState);
 MEPUBLIC MeBool MEAPI MdtLimitIsLocked(const MdtLimitID l);
 /** @} */

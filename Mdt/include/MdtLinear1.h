@@ -21,7 +21,9 @@ MEPUBLIC MdtConstraintID MEAPI MdtLinear1QuaConstraint(const MdtLinear1ID j);
 MEPUBLIC MdtLinear1ID MEAPI MdtConstraintDCastLinear1(const MdtConstraintID c);
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtLinear1Destroy(const MdtLinear1ID j);
 MEPUBLIC void MEAPI MdtLinear1Enable(const MdtLinear1ID j);

@@ -45,7 +45,9 @@ MEPUBLIC void MEAPI MdtMimicSetOffset(const MdtMimicID j, const MeReal offset);
 MEPUBLIC MeReal MEAPI MdtMimicGetOffset(const MdtMimicID j);
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  MdtMimicSetJoints sets the bodies; with others, by MdtMimicSetBodies, it does nothing.
  *  @{ */
 MEPUBLIC void MEAPI MdtMimicDestroy(const MdtMimicID j);

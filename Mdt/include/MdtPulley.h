@@ -54,7 +54,9 @@ MEPUBLIC MeReal MEAPI MdtPulleyGetDistance(const MdtPulleyID j, const unsigned i
 MEPUBLIC MeReal MEAPI MdtPulleyGetTension(const MdtPulleyID j);
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtPulleyDestroy(const MdtPulleyID j);
 MEPUBLIC void MEAPI MdtPulleyEnable(const MdtPulleyID j);

@@ -36,6 +36,7 @@ MEPUBLIC void MEAPI MdtRPROJointSetRelativeAngularVelocity(MdtRPROJointID j, MeV
 MEPUBLIC void MEAPI MdtRPROJointGetRelativeAngularVelocity(const MdtRPROJointID j, MeVector3 w);
 /** @} */
 /** @name The attachment frames, in the frames of the bodies' centres of mass
+ *  m, and quaternions (w, x, y, z), of the body of index 0 or 1; of the world, if it is null. Default: 0, no rotation.
  *  @{ */
 MEPUBLIC void MEAPI MdtRPROJointSetAttachmentPosition(const MdtRPROJointID j, const MeReal x, const MeReal y,
                                                       const MeReal z, const unsigned int bodyindex);
@@ -57,7 +58,9 @@ MEPUBLIC void MEAPI MdtRPROJointSetAngularStrength(const MdtRPROJointID j, const
 MEPUBLIC void MEAPI MdtRPROJointGetAngularStrength(const MdtRPROJointID j, MeVector3 v);
 /** @} */
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtRPROJointDestroy(const MdtRPROJointID j);
 MEPUBLIC void MEAPI MdtRPROJointEnable(const MdtRPROJointID j);

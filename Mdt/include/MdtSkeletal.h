@@ -23,10 +23,13 @@ MEPUBLIC void MEAPI MdtSkeletalReset(const MdtSkeletalID j);
 MEPUBLIC MdtConstraintID MEAPI MdtSkeletalQuaConstraint(const MdtSkeletalID j);
 /** The constraint as a skeletal joint; null if it is none. */
 MEPUBLIC MdtSkeletalID MEAPI MdtConstraintDCastSkeletal(const MdtConstraintID c);
-/** @name Limit angles, rad, 0 to pi (clamped)
+/** @name Limit angles, rad, 0 to pi (clamped), default pi/4
+ *  The first axis stays within an elliptic cone about the second body's; the twist about it within +- its limit.
  *  @{ */
+/** The cone's half angle towards the second axis of the joint. */
 MEPUBLIC void MEAPI MdtSkeletalSetConePrimaryLimitAngle(const MdtSkeletalID j, const MeReal theta);
 MEPUBLIC MeReal MEAPI MdtSkeletalGetConePrimaryLimitAngle(const MdtSkeletalID j);
+/** The cone's half angle towards the third axis, primary x second. */
 MEPUBLIC void MEAPI MdtSkeletalSetConeSecondaryLimitAngle(const MdtSkeletalID j, const MeReal theta);
 MEPUBLIC MeReal MEAPI MdtSkeletalGetConeSecondaryLimitAngle(const MdtSkeletalID j);
 MEPUBLIC void MEAPI MdtSkeletalSetTwistLimitAngle(const MdtSkeletalID j, const MeReal theta);
@@ -44,7 +47,7 @@ MEPUBLIC MeReal MEAPI MdtSkeletalGetTwistStiffness(const MdtSkeletalID j);
 MEPUBLIC void MEAPI MdtSkeletalSetTwistDamping(const MdtSkeletalID j, const MeReal kd);
 MEPUBLIC MeReal MEAPI MdtSkeletalGetTwistDamping(const MdtSkeletalID j);
 /** @} */
-/** @name Options: free, limited or fixed (MdtBcl.h); an invalid value gets a warning
+/** @name Options: free, limited (the default) or fixed (MdtBcl.h); an invalid value gets a warning
  *  @{ */
 MEPUBLIC void MEAPI MdtSkeletalSetConeOption(const MdtSkeletalID j, MdtSkeletalConeOption co);
 MEPUBLIC MdtSkeletalConeOption MEAPI MdtSkeletalGetConeOption(const MdtSkeletalID j);
@@ -53,6 +56,7 @@ MEPUBLIC MdtSkeletalTwistOption MEAPI MdtSkeletalGetTwistOption(const MdtSkeleta
 /** @} */
 /** Makes the present twist of the bodies the zero of the twist. */
 MEPUBLIC void MEAPI MdtSkeletalZeroTwist(const MdtSkeletalID j);
+/** As MdtConstraintBodyGetAxis. */
 MEPUBLIC void MEAPI MdtSkeletalBodyGetAxis(const MdtSkeletalID j, const unsigned int bodyindex, MeVector3 axis);
 
 /** @name A position motor of the relative orientation, beyond Karma
@@ -75,7 +79,9 @@ MEPUBLIC void MEAPI MdtSkeletalGetMotorTarget(const MdtSkeletalID j, MeVector4 q
 /** @} */
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtSkeletalDestroy(const MdtSkeletalID j);
 MEPUBLIC void MEAPI MdtSkeletalEnable(const MdtSkeletalID j);

@@ -50,7 +50,9 @@ MEPUBLIC void MEAPI MdtSpringSetStiffness(const MdtSpringID j, const MeReal NewS
 MEPUBLIC void MEAPI MdtSpringSetDamping(const MdtSpringID j, const MeReal NewDamping);
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtSpringDestroy(const MdtSpringID j);
 MEPUBLIC void MEAPI MdtSpringEnable(const MdtSpringID j);

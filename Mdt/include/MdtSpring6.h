@@ -23,6 +23,8 @@ MEPUBLIC MdtConstraintID MEAPI MdtSpring6QuaConstraint(const MdtSpring6ID j);
 /** The constraint as a Spring6; null if it is none. */
 MEPUBLIC MdtSpring6ID MEAPI MdtConstraintDCastSpring6(const MdtConstraintID c);
 /** @name Springs by axis, 0 to 2: N/m and N s/m, N m/rad and N m s/rad, at least 0
+ *  Default 0: free. A stiffness of MEINFINITY is rigid. A negative number, or another axis, gets a warning and changes
+ *  nothing. MdtSpring6SetLinearMotor takes a frequency instead.
  *  @{ */
 MEPUBLIC void MEAPI MdtSpring6SetLinearStiffness(const MdtSpring6ID j, int axisindex, MeReal s);
 MEPUBLIC MeReal MEAPI MdtSpring6GetLinearStiffness(const MdtSpring6ID j, int axisindex);
@@ -67,7 +69,9 @@ MEPUBLIC void MEAPI MdtSpring6GetWorldAngularVelocity(const MdtSpring6ID j, MeVe
 /** @} */
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtSpring6Destroy(const MdtSpring6ID j);
 MEPUBLIC void MEAPI MdtSpring6Enable(const MdtSpring6ID j);

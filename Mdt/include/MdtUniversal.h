@@ -29,7 +29,9 @@ MEPUBLIC void MEAPI MdtUniversalSetAxis(const MdtUniversalID j, const unsigned i
 MEPUBLIC void MEAPI MdtUniversalGetAxis(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 axis);
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtUniversalDestroy(const MdtUniversalID j);
 MEPUBLIC void MEAPI MdtUniversalEnable(const MdtUniversalID j);

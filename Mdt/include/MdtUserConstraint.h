@@ -32,7 +32,9 @@ MEPUBLIC void MEAPI MdtUserConstraintSetConstraintData(const MdtUserConstraintID
 MEPUBLIC void *MEAPI MdtUserConstraintGetConstraintData(const MdtUserConstraintID j);
 
 /** @name Functions that every constraint has, under this joint's name
- *  Each does what the MdtConstraint function of that name does (MdtConstraint.h).
+ *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Body indices are 0 and 1, a null
+ *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
+ *  of the last step.
  *  @{ */
 MEPUBLIC void MEAPI MdtUserConstraintDestroy(const MdtUserConstraintID j);
 MEPUBLIC void MEAPI MdtUserConstraintEnable(const MdtUserConstraintID j);

@@ -123,16 +123,22 @@ MEPUBLIC void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const Me
  *  The thresholds are squares, >= 0. Initially they are the values of MdtDefaults.h, those of velocity and acceleration
  *  times the square of the length scale; that of acceleration is limited to a tenth of gravity, and both are adapted by
  *  MdtWorldSetGravity until the program sets them. After the program has set one, the thresholds alone decide. They are
- *  for seconds; a program with another unit of time sets all of them, and the alive time.
+ *  for seconds; a program with another unit of time sets all of them, and the alive time. A negative threshold gets a
+ *  warning and changes nothing.
  *  @{ */
+/** METRUE, the default: bodies at rest fall asleep. MEFALSE: none does any more; those that sleep stay asleep. */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisable(const MdtWorldID w, const MeBool d);
 MEPUBLIC MeBool MEAPI MdtWorldGetAutoDisable(const MdtWorldID w);
+/** m²/s². Default 0.02 lengthScale². */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisableVelocityThreshold(const MdtWorldID w, const MeReal vt);
 MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableVelocityThreshold(const MdtWorldID w);
+/** rad²/s². Default 0.001. */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisableAngularVelocityThreshold(const MdtWorldID w, const MeReal avt);
 MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableAngularVelocityThreshold(const MdtWorldID w);
+/** m²/s⁴. Default 0.5 lengthScale², at most the square of a tenth of gravity. */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisableAccelerationThreshold(const MdtWorldID w, const MeReal at);
 MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableAccelerationThreshold(const MdtWorldID w);
+/** rad²/s⁴. Default 0.002. */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisableAngularAccelerationThreshold(const MdtWorldID w, const MeReal aat);
 MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableAngularAccelerationThreshold(const MdtWorldID w);
 /** Alive time, s: how long a body stays enabled after it was enabled. Default 0.2 s. Replaces a window in steps. */
@@ -174,8 +180,11 @@ MEPUBLIC MeReal MEAPI MdtWorldGetMinSafeTime(const MdtWorldID w);
  *  @{ */
 MEPUBLIC int MEAPI MdtWorldGetMaxBodies(const MdtWorldID w);      /**< MeNoLimit: no limit. */
 MEPUBLIC int MEAPI MdtWorldGetMaxConstraints(const MdtWorldID w); /**< MeNoLimit: no limit. */
+/** All bodies: enabled, disabled and asleep. */
 MEPUBLIC int MEAPI MdtWorldGetTotalBodies(const MdtWorldID w);
+/** All joints, and all contacts and contact groups that a program or a bridge made. */
 MEPUBLIC int MEAPI MdtWorldGetTotalConstraints(const MdtWorldID w);
+/** Without those that sleep; a world at rest has 0. */
 MEPUBLIC int MEAPI MdtWorldGetEnabledBodies(const MdtWorldID w);
 MEPUBLIC int MEAPI MdtWorldGetEnabledConstraints(const MdtWorldID w);
 /** @} */

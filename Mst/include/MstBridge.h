@@ -30,16 +30,20 @@ MEPUBLIC MstMaterialID MEAPI MstBridgeGetNewMaterial(const MstBridgeID b);
 /** The parameters of contacts of the pair from now on. Owned by the bridge. */
 MEPUBLIC MdtContactParamsID MEAPI MstBridgeGetContactParams(const MstBridgeID b, const MstMaterialID m1,
                                                             const MstMaterialID m2);
-/** The callbacks of a pair of materials; null: none. Models and bodies that they destroy are removed once all pairs are
- *  handled (docs/simulation.md, "Callbacks"). */
+/** The callbacks of a pair of materials, on the thread that steps; null: none. This one gets what collision has found,
+ *  before contacts of dynamics are made of it, and may change or remove some (MstTypes.h). Models and bodies that they
+ *  destroy are removed once all pairs are handled (docs/simulation.md, "Callbacks"). */
 MEPUBLIC void MEAPI MstBridgeSetIntersectCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                             const MstIntersectCBPtr cb);
 MEPUBLIC MstIntersectCBPtr MEAPI MstBridgeGetIntersectCB(const MstBridgeID b, const MstMaterialID m1,
                                                          const MstMaterialID m2);
+/** Called for each contact that dynamics is to get: it may set the contact's parameters and direction; false deletes
+ *  it. */
 MEPUBLIC void MEAPI MstBridgeSetPerContactCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                              const MstPerContactCBPtr cb);
 MEPUBLIC MstPerContactCBPtr MEAPI MstBridgeGetPerContactCB(const MstBridgeID b, const MstMaterialID m1,
                                                            const MstMaterialID m2);
+/** Called once for all contacts of a pair of models, after the callback for each; false deletes all. */
 MEPUBLIC void MEAPI MstBridgeSetPerPairCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                           const MstPerPairCBPtr cb);
 MEPUBLIC MstPerPairCBPtr MEAPI MstBridgeGetPerPairCB(const MstBridgeID b, const MstMaterialID m1,

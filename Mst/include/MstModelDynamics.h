@@ -24,8 +24,10 @@ MEPUBLIC void MEAPI McdModelDynamicsReset(const McdModelID m);
 
 /** @name Properties of a model's body
  *  They call the functions of MdtBody.h for the model's body. A model without a body gets a warning, and zeros. Move a
- *  fixed model by its transform: McdModelSetTransformPtr.
+ *  fixed model by its transform: McdModelSetTransformPtr. World frame: m, m/s, rad/s, N, N m, quaternions (w, x, y, z);
+ *  positions are those of the body's frame, linear velocities those of its centre of mass. Forces act in the next step.
  *  @{ */
+/** Wakes the body: MdtBodyEnable. Before each step it keeps it awake. */
 MEPUBLIC void MEAPI McdModelDynamicsEnable(const McdModelID m);
 MEPUBLIC void MEAPI McdModelDynamicsDisable(const McdModelID m);
 MEPUBLIC MeBool MEAPI McdModelDynamicsIsEnabled(const McdModelID m);
@@ -45,7 +47,7 @@ MEPUBLIC void MEAPI McdModelDynamicsGetForce(const McdModelID m, MeVector3 f);
 MEPUBLIC void MEAPI McdModelDynamicsGetTorque(const McdModelID m, MeVector3 t);
 MEPUBLIC void MEAPI McdModelDynamicsAddForce(const McdModelID m, const MeReal fx, const MeReal fy, const MeReal fz);
 MEPUBLIC void MEAPI McdModelDynamicsAddTorque(const McdModelID m, const MeReal tx, const MeReal ty, const MeReal tz);
-/** Sets the damping of the linear and the angular velocity. */
+/** Sets the damping of the linear and the angular velocity, 1/s, >= 0. */
 MEPUBLIC void MEAPI McdModelDynamicsSetDamping(const McdModelID m, const MeReal lvd, const MeReal avd);
 /** @} */
 

@@ -75,6 +75,7 @@ MEPUBLIC void MEAPI MstMoverDestroy(MstMoverID m);
 MEPUBLIC void MEAPI MstMoverMove(MstMoverID m, const MeVector3 velocity, MeReal step, MstMoverResult *result);
 /** Puts its lowest point somewhere, without regard to what is on the way. It is in the air there. */
 MEPUBLIC void MEAPI MstMoverSetPosition(MstMoverID m, const MeVector3 position);
+/** m, of its lowest point. For a bad handle: a warning, and nothing is written. */
 MEPUBLIC void MEAPI MstMoverGetPosition(MstMoverID m, MeVector3 position);
 /** Changes its height (m, more than 2 radius), for crouching and standing up; the lowest point stays. Returns false and
  *  changes nothing if the new capsule would overlap something. */

@@ -28,6 +28,7 @@ MEPUBLIC void MEAPI MstUniverseDestroy(const MstUniverseID u);
  *  stop at their time of impact and continue from there. The world's minimum safe time is 1e-9 s. A step so long that a
  *  body in free fall, from rest, falls farther than the length scale gets a warning, once. */
 MEPUBLIC void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step);
+/** Its parts, which the universe owns. Null, with a warning, if @a u is no universe. */
 MEPUBLIC MdtWorldID MEAPI MstUniverseGetWorld(const MstUniverseID u);
 MEPUBLIC McdFrameworkID MEAPI MstUniverseGetFramework(const MstUniverseID u);
 MEPUBLIC McdSpaceID MEAPI MstUniverseGetSpace(const MstUniverseID u);

@@ -144,6 +144,7 @@ MEPUBLIC void MEAPI MstVehicleDrive(MstVehicleID v, MeReal throttle, MeReal stee
 /** Puts a gear in, -1: reverse, 0: neutral, and ends the automatic. Beyond the gears: a warning, and nothing
  *  changes. */
 MEPUBLIC void MEAPI MstVehicleSetGear(MstVehicleID v, int gear);
+/** The gear that is in, also by the automatic: -1 reverse, 0 neutral, and between gears the next one. */
 MEPUBLIC int MEAPI MstVehicleGetGear(MstVehicleID v);
 /** The automatic chooses gears. Default: yes. */
 MEPUBLIC void MEAPI MstVehicleSetAutomatic(MstVehicleID v, MeBool on);
