@@ -189,9 +189,10 @@ def load_warning(machine):
 
 def head(directory):
     yield from ['# Speed against error', '',
-                'Scenes whose right answer is known, in Karma and in the engines that Debian packages, in one program and',
-                'in turns. This page is made by `tools/bench`; [bench.md](bench.md) says how it measures. Read ratios, not',
-                'digits. What is not said to be of another number of sub-steps has one step a frame of 1/60 s.', '']
+                'Scenes with a known answer, in Karma and in the engines that Debian packages. One program runs all of them, in',
+                'turns. `tools/bench` makes this page; [bench.md](bench.md) says how it measures. Read ratios, not digits.',
+                'Where no number of sub-steps is given, there is one step per frame of 1/60 s. Box3D and Jolt are not packaged:',
+                'Box3D is in [threads](threads.md#how-much-faster) and [the solver](solver.md#crowds).', '']
     lines = (directory / 'machine.txt').read_text(encoding='utf8').splitlines()
     yield from table(('', ''), [line.split('|', 1) for line in lines])
     yield from load_warning(dict(line.split('|', 1) for line in lines))
@@ -200,12 +201,11 @@ def head(directory):
                          if line.startswith('* '))
     yield from [*told, '']
     command_line = lines[0].split('|')[1]
-    yield from ['All that follows is made again by', ''] + command(command_line)
+    yield from ['One command repeats the whole page:', ''] + command(command_line)
 
 
 def scenes(directory):
-    yield from ['## The scenes', '', 'What happens, and what the errors are; the first is the one that tables and diagrams '
-                'show.', '']
+    yield from ['## The scenes', '', 'Each line has the scene, then its errors. Tables and diagrams show the first error.', '']
     for line in (directory / 'scenes.txt').read_text(encoding='utf8').splitlines():
         name, text = line.split(': ', 1)
         yield f'* **{name}**: {text}'
@@ -213,11 +213,11 @@ def scenes(directory):
 
 
 def levels(rows):
-    yield from ['## Levels', '', 'Platinum: every error of the scene is within the goal that is set for Karma at one '
-                f'step a frame. Gold: within {GOLD:g} times', 'that. Bronze: it holds to the end, and what was to be '
-                'measured happened. `-`: the engine lacks what the scene needs. Karma has a row for each setting of its world '
-                '(eps, scenes without contact)', 'and of its universe (scenes with contact): two rows of one precision '
-                'together are all scenes, as are the single ones of others.', '']
+    yield from ['## Levels', '', 'Platinum: every error is within the goal, which is set for Karma at one step per frame. Gold: within '
+                f'{GOLD:g} times the goal.',
+                'Bronze: the scene holds to the end, and its event happened. `-`: the engine lacks a feature. Karma '
+                'has a row for each setting',
+                'of a world (eps, scenes without contact) and of a universe (scenes with contact). One row of each makes all scenes.', '']
     counts = []
     for name in dict.fromkeys(map(solver, rows)):
         mine = [r for r in rows if solver(r) == name and r.substeps == 1]
@@ -232,12 +232,13 @@ def levels(rows):
 
 
 def leads(rows):
-    yield from ['## Where Karma leads, where it trails', '', 'For each scene and level the cheapest row of any setting '
-                'and number of sub-steps, and how many times as much CPU time Karma', 'takes: below 1 it leads. '
-                '`only Karma`: no other engine gets there; `not Karma`: one does and Karma does not; `nobody`: none does, or',
-                'not in the time that the command above gives a run. Nothing is put to sleep; but what stands still in '
-                'Karma with unchanged', 'inputs is not solved again ([architecture.md](architecture.md), rest '
-                'certificate), which is where towers at rest gain most.', '']
+    yield from ['## Where Karma leads, where it trails', '',
+                "Karma's CPU time over that of the best other engine, each with its cheapest setting and number of "
+                "sub-steps. Below 1 Karma leads.",
+                '`only Karma`: no other engine reaches the level. `not Karma`: another one does, and Karma does not. '
+                '`nobody`: none does within',
+                'the time limit of a run. Nothing sleeps. Karma does not solve partitions at rest with unchanged inputs again',
+                '([architecture.md](architecture.md), rest certificate): towers at rest gain most by that.', '']
     lines = []
     for scene in dict.fromkeys(r.scene for r in rows):
         line = [scene]
@@ -255,16 +256,18 @@ def leads(rows):
 
 
 def diagrams(rows):
-    yield from ['## Work and precision', '', 'One curve a solver over its numbers of sub-steps; the large points have '
-                'one step a frame. Open points at the upper edge fail.', f'Errors below {FLOOR:g} are drawn there.', '']
+    yield from ['## Work and precision', '',
+                'A curve has the numbers of sub-steps of a solver; its large point is one step per frame. Open points '
+                'at the upper edge fail.', f'Errors below {FLOOR:g} are drawn there.', '']
     present = {r.scene for r in rows}
     for scene in SHOWN:
         if scene in present:
             yield from work_precision(rows, scene)
             yield from command(f'tools/bench --scene {scene}          # its figures alone')
-    yield from ['## Performance profiles', '', 'Of all scenes, the share that a solver does at the level for at most so '
-                'many times the CPU time of the cheapest (Dolan and', 'Moré 2002), each with its best number of '
-                'sub-steps of those that were run.', '']
+    yield from ['## Performance profiles', '',
+                'The share of scenes that a solver does at the level, over the ratio of its CPU time to that of the '
+                'cheapest (Dolan and Moré',
+                '2002). Each solver has its best number of sub-steps.', '']
     many = crowds(rows)
     for group, text, of in (('profile', 'scenes of few bodies', [r for r in rows if r.scene not in many]),
                             ('crowds', 'crowds', [r for r in rows if r.scene in many])):
@@ -275,8 +278,8 @@ def diagrams(rows):
 
 
 def distribution(rows):
-    yield from ['## Times of frames', '', 'µs, one step a frame: medians over the runs; of the median frame also the '
-                'least and the largest run.', '']
+    yield from ['## Times of frames', '',
+                'µs, one step per frame, medians over the runs. Brackets have the least and the largest run of the median frame.', '']
     lines = []
     for r in rows:
         if r.scene in TIMED and r.substeps == 1 and holds(r):
@@ -288,7 +291,7 @@ def distribution(rows):
 
 def lacks(rows):
     """What an engine has not, as it says itself."""
-    yield from ['## What an engine cannot do', '', 'Scenes that it is not compared in, `-` elsewhere on this page.', '']
+    yield from ['## What an engine cannot do', '', 'An engine is not compared in these scenes; elsewhere on this page they are `-`.', '']
     found = collections.OrderedDict()
     for r in rows:
         if r.lack:
@@ -347,9 +350,10 @@ def sweep_text(directory):
 
 
 def best(rows, directory):
-    yield from ['## Best settings', '', 'Of each engine the cheapest row of the best level that it reaches, of all settings '
-                'and numbers of sub-steps that were timed:', 'the level, the setting, sub-steps, and the CPU time per '
-                'simulated second in ms. Timed: ' + sweep(rows) + '.', '', *sweep_text(directory)]
+    yield from ['## Best settings', '',
+                'For each engine, the cheapest row of the best level that it reaches. A cell has the level, the '
+                'setting, sub-steps, and the CPU',
+                'time per simulated second in ms. Timed: ' + sweep(rows) + '.', '', *sweep_text(directory)]
     engines = list(dict.fromkeys(r.engine for r in rows))
     lines = []
     for scene in dict.fromkeys(r.scene for r in rows):
@@ -456,9 +460,10 @@ def scaling(directory):
     lines = read_lines(directory, 'scaling')
     if not lines:
         return
-    yield from ['## Growth', '', 'Mean CPU time of a frame of 1/60 s over 2 s of game time, ms, one step a frame, and the '
-                'exponent of the power of the size that', 'fits best. Empty: not in the time that a size may take, or the '
-                'engine cannot; in brackets: the scene fails.', '']
+    yield from ['## Growth', '',
+                'Mean CPU time of a frame of 1/60 s, in ms, over 2 s of game time; one step per frame. The exponent '
+                'is that of the best fit, a',
+                'power of the size. Empty: beyond the time limit, or not possible. In brackets: the scene fails.', '']
     for kind in dict.fromkeys(line['kind'] for line in lines if line['what'] == 'time'):
         of = [line for line in lines if line['kind'] == kind and line['what'] == 'time']
         sizes = sorted({int(line['size']) for line in of})
@@ -479,9 +484,10 @@ def scaling(directory):
         yield from command('build/bench/bench/scaling')
     weights = [line for line in lines if line['what'] == 'memory']
     kinds = list(dict.fromkeys(line['kind'] for line in weights))
-    yield from ['## Memory', '', 'Bytes that the process has taken for one more, at the number of bodies in the last column: '
-                'what has grown over an empty world,', 'divided by the number. A body has its model and its shape. `-`: no more, since MuJoCo takes room for the most that may '
-                'come in advance.', '']
+    yield from ['## Memory', '',
+                'Bytes for one more: the growth of the process over an empty world, divided by the number of bodies '
+                'in the last column. A body',
+                'has a model and a shape. `-`: none, as MuJoCo allocates the maximum in advance.', '']
     yield from table(('engine', *kinds, 'bodies'), [
         (engine, *(next(line['value'] if float(line['value']) > 0 else '-' for line in weights if line['engine'] == engine and line['kind'] == kind)
                    for kind in kinds), next(line['size'] for line in weights if line['engine'] == engine))
@@ -532,9 +538,10 @@ def marginal(directory):
     file = directory / 'marginal.csv'
     if not file.exists():
         return
-    yield from ['## What one more costs', '', 'ns of a step of 1/60 s in single precision, on one thread: the difference '
-                'of two worlds of different numbers, over the', 'difference of the numbers. Least and largest of the '
-                'runs beside it. [advice.md](advice.md) says what follows.', '']
+    yield from ['## What one more costs', '',
+                'ns per step of 1/60 s, single precision, one thread: the difference of two worlds, over the '
+                'difference of their numbers. The',
+                'median, and the least and the largest run. [advice.md](advice.md) has the conclusions.', '']
     with open(file, encoding='utf8') as source:
         yield from table(('one more', 'ns', 'least', 'largest'), [
             (line['what'], *(f'{float(line[c]):.0f}' for c in ('ns', 'least', 'largest')))
@@ -578,11 +585,12 @@ def advice(directory):
     lines = [(what, f'{costs[dear]:.0f}', f'{costs[cheap]:.0f}', f'{costs[cheap] / costs[dear]:.2g}', lost)
              for cheap, dear, what, lost in ADVICE]
     yield from ['# Model only what a scene needs', '',
-                'What a feature costs, and what leaving it out loses. The costs, ns of a step for one more, are those of',
-                '[performance.md](performance.md); this page is made along with it. A share of 1 or more gains nothing: then',
-                'take what is right. What settings cost and lose in a scene of your own its program tells by `-advise`',
+                'What a feature costs, and what leaving it out loses. Times are ns per step of one more, from',
+                '[performance.md](performance.md#what-one-more-costs); `tools/bench` makes this page along with it. A '
+                'share near 1 saves nothing: take what is',
+                'right. For the settings of your own scene run it with `-advise`: it prints time and error of each',
                 '([How do I](howto.md#settings-that-make-a-scene-faster)).', '']
-    yield from table(('advice', 'ns as it was', 'ns after', 'share', 'what is lost'), lines)
+    yield from table(('advice', 'ns before', 'ns after', 'share', 'what is lost'), lines)
     yield from command('build/bench/bench/marginal')
 
 
