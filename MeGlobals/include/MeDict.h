@@ -75,15 +75,18 @@ MEPUBLIC void MEAPI MeDictSetAllocator(MeDict *dict, MeDictAllocFn alloc, MeDict
 
 /** @name Nodes
  *  @{ */
+/** Prepares a node in memory of the program for insertion, with its data. Returns the node. */
 MEPUBLIC MeDictNode *MEAPI MeDictNodeInit(MeDictNode *node, void *data);
 /** Null, after MeFatalError, if there is no memory. */
 MEPUBLIC MeDictNode *MEAPI MeDictNodeCreate(void *data);
 /** Destroys a node made by MeDictNodeCreate; a node in a dictionary is kept, with a warning. */
 MEPUBLIC void MEAPI MeDictNodeDestroy(MeDictNode *node);
+/** The data of a node: given at MeDictNodeInit or MeDictNodeCreate, changed by MeDictNodePut. */
 MEPUBLIC void *MEAPI MeDictNodeGet(MeDictNode *node);
 MEPUBLIC void MEAPI MeDictNodePut(MeDictNode *node, void *data);
 /** The node's key; null while it is in no dictionary. */
 MEPUBLIC const void *MEAPI MeDictNodeGetKey(MeDictNode *node);
+/** 1 while the node is in some dictionary, else 0. */
 MEPUBLIC int MEAPI MeDictNodeIsInADict(MeDictNode *node);
 /** @} */
 
@@ -124,10 +127,13 @@ MEPUBLIC MeDictNode *MEAPI MeDictLookup(MeDict *dict, const void *key);
 MEPUBLIC MeDictNode *MEAPI MeDictLowerBound(MeDict *dict, const void *key);
 /** The last node whose key is not after the given one. */
 MEPUBLIC MeDictNode *MEAPI MeDictUpperBound(MeDict *dict, const void *key);
+/** The nodes with the smallest and the largest key, by the dictionary's comparison. */
 MEPUBLIC MeDictNode *MEAPI MeDictFirst(MeDict *dict);
 MEPUBLIC MeDictNode *MEAPI MeDictLast(MeDict *dict);
+/** The neighbour of a node in the order of keys; null at the end. */
 MEPUBLIC MeDictNode *MEAPI MeDictNext(MeDict *dict, MeDictNode *node);
 MEPUBLIC MeDictNode *MEAPI MeDictPrev(MeDict *dict, MeDictNode *node);
+/** The number of nodes; it is full at the maximum of MeDictInit. */
 MEPUBLIC unsigned long MEAPI MeDictCount(MeDict *dict);
 MEPUBLIC int MEAPI MeDictIsEmpty(MeDict *dict);
 MEPUBLIC int MEAPI MeDictIsFull(MeDict *dict);
