@@ -187,6 +187,20 @@ def load_warning(machine):
                     'frames, and what is said to be too slow.', '']
 
 
+def engines(directory):
+    """What each engine says of itself; of which scenes, where it says two things."""
+    told = collections.OrderedDict()
+    for name, scenes_of in (('free', 'without contact'), ('contact', 'with contact')):
+        file = directory / f'{name}.txt'
+        for line in file.read_text(encoding='utf8').splitlines() if file.exists() else ():
+            if line.startswith('* '):
+                told.setdefault(line, []).append(scenes_of)
+    subjects = collections.Counter(line.split(': ')[0] for line in told)
+    for line, of in told.items():
+        subject, text = line.split(': ', 1)
+        yield line if subjects[subject] == 1 else f'{subject}, scenes {of[0]}: {text}'
+
+
 def head(directory):
     yield from ['# Speed against error', '',
                 'Scenes with a known answer, in Karma and in the engines that Debian packages. One program runs all of them, in',
@@ -196,10 +210,7 @@ def head(directory):
     lines = (directory / 'machine.txt').read_text(encoding='utf8').splitlines()
     yield from table(('', ''), [line.split('|', 1) for line in lines])
     yield from load_warning(dict(line.split('|', 1) for line in lines))
-    told = dict.fromkeys(line for name in ('free', 'contact') if (directory / f'{name}.txt').exists()
-                         for line in (directory / f'{name}.txt').read_text(encoding='utf8').splitlines()
-                         if line.startswith('* '))
-    yield from [*told, '']
+    yield from [*engines(directory), '']
     command_line = lines[0].split('|')[1]
     yield from ['One command repeats the whole page:', ''] + command(command_line)
 
