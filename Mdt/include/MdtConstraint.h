@@ -80,6 +80,7 @@ MEPUBLIC void MEAPI MdtConstraintBodyGetAxesRel(const MdtConstraintID c, const u
                                                 MeVector3 o);
 /** The present primary axis only. */
 MEPUBLIC void MEAPI MdtConstraintBodyGetAxis(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 a);
+/** On the first body (on the second, if the first is the world). */
 MEPUBLIC void MEAPI MdtConstraintGetAxis(const MdtConstraintID c, MeVector3 axis);
 /** Deprecated names of the guides. */
 MEPUBLIC void MEAPI MdtConstraintSetBothAxis(const MdtConstraintID c, const MeReal px, const MeReal py, const MeReal pz,

@@ -32,6 +32,7 @@ MEPUBLIC MdtContactGroupID MEAPI MdtConstraintDCastContactGroup(const MdtConstra
 MEPUBLIC MdtContactID MEAPI MdtContactGroupGetFirstContact(MdtContactGroupID c);
 /** The contact after @a c; null after the last, and, with a warning, for a contact of another group. */
 MEPUBLIC MdtContactID MEAPI MdtContactGroupGetNextContact(MdtContactGroupID g, MdtContactID c);
+/** The number of its contacts, at gaps too; 0, with a warning, for a bad handle. */
 MEPUBLIC int MEAPI MdtContactGroupGetCount(MdtContactGroupID g);
 /** Creates a contact at the end of the group. Null, with a warning, when the world is full. */
 MEPUBLIC MdtContactID MEAPI MdtContactGroupCreateContact(MdtContactGroupID g);

@@ -155,6 +155,7 @@ MEPUBLIC MeReal MEAPI MstVehicleGetSpeed(MstVehicleID v);
 MEPUBLIC MeReal MEAPI MstVehicleGetEngineSpeed(MstVehicleID v);
 /** Null, without a warning, after its chassis has been destroyed. */
 MEPUBLIC McdModelID MEAPI MstVehicleGetChassis(MstVehicleID v);
+/** 0, with a warning, for a bad handle. */
 MEPUBLIC int MEAPI MstVehicleGetWheelCount(MstVehicleID v);
 /** Writes what a wheel did in the last step; zeros, with a warning, if there is none of that number. */
 MEPUBLIC void MEAPI MstVehicleGetWheel(MstVehicleID v, int wheel, MstWheelState *state);
