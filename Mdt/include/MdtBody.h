@@ -303,8 +303,8 @@ MEPUBLIC MdtBodyID MEAPI MdtBodyGetNext(const MdtBodyID b);
 
 /** @name The body's constraints
  *  @{ */
-/** Iterate over all constraints that are attached to the body, enabled or not, contacts included: @a c is the one before.
- *  Null after the last. */
+/** Iterate over all constraints that are attached to the body, enabled or not, contacts included: @a c is the one
+ *  before. Null after the last. */
 MEPUBLIC MdtConstraintID MEAPI MdtBodyGetFirstConstraint(MdtBodyID b);
 MEPUBLIC MdtConstraintID MEAPI MdtBodyGetNextConstraint(MdtBodyID b, MdtConstraintID c);
 /** Iterate over the contacts of the body; null after the last. */
