@@ -38,11 +38,12 @@ static const struct {
 } category[] = {
     {"First steps", "Drop Bounce Stack Hinge Collide Rays"},
     {"Joints", "Prismatic Limits Spring Universal Angular3 Linear FixedPath ConeLimit RPRO Chain CarWheel"},
-    {"How it is solved", "Gyroscope AutoDisable Partitions MatrixCap SortKeys"},
+    {"How it is solved", "Gyroscope AutoDisable Partitions MatrixCap SortKeys FarWorld"},
     {"Surfaces", "Friction Slip Slide Materials Conveyor Marbles"},
-    {"Piles", "Pyramid Dominoes CardHouse Arch Jenga Cradle Bowling Hulls Mesh Tumbler"},
+    {"Piles", "Pyramid Dominoes CardHouse Arch Jenga Cradle Bowling Hulls Compounds Mesh Tumbler"},
     {"Machines and figures",
-     "Bridge Lift Gears Character WreckingBall Chair Ragdolls Car Vehicle Motorcycle Quadbike Bullets"},
+     "Bridge Lift Gears Character WreckingBall Chair Ragdolls Car Vehicle Motorcycle Quadbike Bullets "
+     "Explosions"},
 };
 enum { CATEGORIES = sizeof category / sizeof category[0] };
 
