@@ -18,6 +18,9 @@ MEPUBLIC void MEAPI MdtWorldRenameLimits(const MdtWorldID w, const char *bodies,
 /** True for a live world. */
 MEPUBLIC MeBool MEAPI MdtWorldIsValid(const MdtWorldID w);
 
+/** MdtWorldSetBodyHandlers for Mst: called before the handlers of the program. They change nothing of the world. */
+MEPUBLIC void MEAPI MdtWorldSetModelHandlers(const MdtWorldID w, MdtBodyHandler enabled, MdtBodyHandler disabled);
+
 /** @name Users of bodies: Mst, for models
  *  @{ */
 enum {

@@ -236,8 +236,8 @@ MEPUBLIC void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodie
 MEPUBLIC int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w);
 
 /** Sets the callbacks for bodies that are enabled or disabled: by the program, by falling asleep or by waking; null:
- *  none. The Simulation Toolkit uses them to freeze and unfreeze collision models (User Guide ch. 5).
- *  docs/simulation.md, "Callbacks", lists what they may do. */
+ *  none. A universe freezes and unfreezes collision models by handlers of its own (MstSetWorldHandlers, User Guide
+ *  ch. 5), which are called before these. docs/simulation.md, "Callbacks", lists what they may do. */
 MEPUBLIC void MEAPI MdtWorldSetBodyHandlers(const MdtWorldID w, MdtBodyHandler enabled, MdtBodyHandler disabled);
 
 /** @name The cap on the Newton iterations of a partition's step (Karma: pivoting iterations)

@@ -349,3 +349,35 @@ TEST(what_is_moved_aside_carries) {
     assert_near(p[0], .6 - .6 * .6 / (2 * .5 * 9.8), 1e-3);
     assert_near(p[2], .25, 1e-3);
 }
+
+/* ---- the program hears of it ------------------------------------------------------------------------------------- */
+
+static int woken, slept;
+
+static void MEAPI hearWoken(MdtBodyID b) {
+    ck_assert(MdtBodyIsEnabled(b));
+    woken++;
+}
+
+static void MEAPI hearSlept(MdtBodyID b) {
+    ck_assert(!MdtBodyIsEnabled(b) && McdSpaceModelIsFrozen(MdtBodyGetModel(b)));
+    slept++;
+}
+
+/* A universe freezes models by handlers of its own: those of the program are called besides, and may go. */
+TEST(handlers_of_the_program_are_called_beside_the_universes) {
+    makeWorld();
+    woken = slept = 0;
+    MdtWorldSetBodyHandlers(w, hearWoken, hearSlept);
+    support = makeFixed(McdBoxCreate(frame, 4, 4, 1), 0, 0, -.5);
+    sleeper = makeBox(.5, 0, .25);
+    ck_assert_int_eq(woken, 1);
+    fallAsleep();
+    ck_assert(slept == 1 && woken == 1 && McdSpaceModelIsFrozen(sleeper));
+    MstFixedModelDestroy(support);
+    step(1);
+    ck_assert(woken == 2 && slept == 1 && !McdSpaceModelIsFrozen(sleeper));
+    MdtWorldSetBodyHandlers(w, 0, 0);
+    McdModelDynamicsDisable(sleeper);
+    ck_assert(woken == 2 && slept == 1 && McdSpaceModelIsFrozen(sleeper));
+}

@@ -23,11 +23,12 @@ struct MdtWorld {
     int order;         /* order of the integration scheme: 2, or 4 for partitions without contacts (mdt_compose.c) */
     int timedBodies;   /* largest number of bodies of partitions with timed contacts */
     int maxMatrixSize; /* cap on the rows of a partition */
-    MdtContactImportanceCBPtr importance;     /* null: the deepest contacts matter most */
-    int *sizeLog, sizeLogLength;              /* owned by the program; null: none */
-    MdtBodyHandler bodyEnabled, bodyDisabled; /* null: none */
-    const MdtBodyUser *bodyUser;              /* callbacks of the owner of bodies' models (Mst); null: none */
-    MdtPartitionEndCB partitionCb;            /* null: the world decides which partitions fall asleep */
+    MdtContactImportanceCBPtr importance;         /* null: the deepest contacts matter most */
+    int *sizeLog, sizeLogLength;                  /* owned by the program; null: none */
+    MdtBodyHandler bodyEnabled, bodyDisabled;     /* the program's; null: none */
+    MdtBodyHandler modelsEnabled, modelsDisabled; /* Mst's, called before the program's; null: none */
+    const MdtBodyUser *bodyUser;                  /* callbacks of the owner of bodies' models (Mst); null: none */
+    MdtPartitionEndCB partitionCb;                /* null: the world decides which partitions fall asleep */
     void *partitionCbData;
     MdtPartitionOutput output;
     MdtPool bodyPool, hiddenPool, jointPool, manifoldPool, extraPool;

@@ -486,10 +486,12 @@ static void endSleep(MdtBodyID b) {
     MEASSERT(b->world->asleepBodies >= 0);
 }
 
-/* Calls the program's handler. Objects that the handler destroys, enables or disables are processed after its return.
- * */
-static void callHandler(MdtBodyID b, MdtBodyHandler handler) {
+/* Calls the handlers of Mst and of the program. Objects that the program's destroys, enables or disables are processed
+ * after its return. */
+static void callHandlers(MdtBodyID b, MdtBodyHandler ofModels, MdtBodyHandler handler) {
     MdtWorldID w = b->world;
+    if (ofModels)
+        ofModels(b);
     if (!handler)
         return;
     MeStageBegin(&w->stage, MDT_GUARD_GRAPH);
@@ -512,7 +514,7 @@ void mdt_bodyEnable(MdtBodyID b) {
     restartSleepTime(b);
     b->world->enabledBodies++;
     MEASSERT(b->world->enabledBodies <= b->world->bodies.count);
-    callHandler(b, b->world->bodyEnabled);
+    callHandlers(b, b->world->modelsEnabled, b->world->bodyEnabled);
 }
 
 void mdt_bodyDisable(MdtBodyID b) {
@@ -526,7 +528,7 @@ void mdt_bodyDisable(MdtBodyID b) {
     b->partition = -1;
     b->world->enabledBodies--;
     MEASSERT(b->world->enabledBodies >= 0);
-    callHandler(b, b->world->bodyDisabled);
+    callHandlers(b, b->world->modelsDisabled, b->world->bodyDisabled);
 }
 
 static void MEAPI applyDeferredEnabling(const MeLater *later) {

@@ -358,6 +358,12 @@ void MEAPI MdtWorldSetBodyHandlers(const MdtWorldID w, MdtBodyHandler enabled, M
     w->bodyDisabled = disabled;
 }
 
+void MEAPI MdtWorldSetModelHandlers(const MdtWorldID w, MdtBodyHandler enabled, MdtBodyHandler disabled) {
+    MDT_NEED_WORLD(w, );
+    w->modelsEnabled = enabled;
+    w->modelsDisabled = disabled;
+}
+
 WORLD_GETTER(MeReal, MdtWorldGetMinSafeTime, 0, w->minSafeTime)
 
 WORLD_GETTER(int, MdtWorldGetMaxBodies, 0, w->bodyPool.limit.max)

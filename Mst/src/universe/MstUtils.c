@@ -303,5 +303,5 @@ static void MEAPI unfreezeModels(const MdtBodyID b) {
 }
 
 void MEAPI MstSetWorldHandlers(const MdtWorldID world) {
-    ME_UNDER_OWN_NAME(MdtWorldSetBodyHandlers(world, unfreezeModels, freezeModels));
+    ME_UNDER_OWN_NAME(MdtWorldSetModelHandlers(world, unfreezeModels, freezeModels));
 }
