@@ -198,10 +198,14 @@ struct _McdSafeTimeResult {
 
 /** Where a line segment enters a model. */
 struct _McdLineSegIntersectResult {
-    McdModelID model;   /**< The model that is hit. */
-    MeVector3 position; /**< World frame. */
-    MeVector3 normal;   /**< The model's outward normal there, length 1. */
-    MeReal distance;    /**< From the start of the segment. */
+    McdModelID model;               /**< The model that is hit. */
+    MeVector3 position;             /**< World frame. */
+    MeVector3 normal;               /**< The model's outward normal there, length 1. */
+    MeReal distance;                /**< From the start of the segment. */
+    McdGeometryInstanceID instance; /**< The part that is hit: the model's own instance, or a child of an aggregate.
+                                         Beyond Karma. */
+    McdElementData element; /**< The part's triangle, as in McdContact.element1; for other geometries a null ptr. Beyond
+                                 Karma. */
 };
 
 /** The closest points of two models, see McdDistance. */

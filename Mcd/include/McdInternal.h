@@ -74,6 +74,8 @@ MEPUBLIC MeBool MEAPI McdModelMayBePlaced(McdModelID cm, const char *function);
 MEPUBLIC void MEAPI McdModelSetGone(McdModelID cm, MeBool isGone);
 /** Whether one of the pair's models, or its body, will be destroyed or removed at the end of the stage. */
 MEPUBLIC MeBool MEAPI McdModelPairIsLeaving(const McdModelPair *p);
+/** One of the models is moved by forces: warns, once for two types, if both are surfaces, which never touch. */
+MEPUBLIC void MEAPI McdModelPairWarnOfSurfaces(const McdModelPair *p);
 /** Whether it is a live framework; a live space. */
 MEPUBLIC MeBool MEAPI McdFrameworkIsValid(McdFrameworkID frame);
 MEPUBLIC MeBool MEAPI McdSpaceIsValid(McdSpaceID s);

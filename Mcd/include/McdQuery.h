@@ -31,10 +31,12 @@ typedef struct McdClosestResult {
 /** The result of McdSpaceCastGeometry and McdSpaceCastRay: the first hit. */
 typedef struct McdCastResult {
     McdModelID model;
-    McdGeometryInstanceID instance; /**< The part that is hit; for rays the model's own instance. */
-    MeReal fraction;                /**< Fraction of the displacement up to the hit, 0 .. 1. */
-    MeVector3 position;             /**< The contact point then. */
-    MeVector3 normal; /**< Length 1, from the model to the cast shape; undefined for a ray that starts inside. */
+    McdGeometryInstanceID instance; /**< The part that is hit: the model's own instance, or a child of an aggregate. */
+    McdElementData element; /**< The part's triangle, as in McdContact.element1; for other geometries a null ptr. */
+    unsigned int material;  /**< There: that of the mesh's triangle (McdMesh.h), or else of the part. */
+    MeReal fraction;        /**< Fraction of the displacement up to the hit, 0 .. 1. */
+    MeVector3 position;     /**< The contact point then. */
+    MeVector3 normal;       /**< Length 1, from the model to the cast shape; undefined for a ray that starts inside. */
 } McdCastResult;
 
 /** A category, mask and group of a query, which finds the models that would collide with a model of such a filter

@@ -147,3 +147,77 @@ TEST(a_mesh_that_moves_lifts) {
     }
     assert_near(height(m), 1 + .25, .01);
 }
+
+/* ---- what queries tell ------------------------------------------------------------------------------------------- */
+
+/* The triangle below a point of the square: the second one of its cell is above the diagonal. */
+static int triangleAt(double x, double y) {
+    const int i = (int)floor(x + SIDE / 2), j = (int)floor(y + SIDE / 2);
+    return 2 * (j * SIDE + i) + (y - floor(y) > x - floor(x));
+}
+
+/* Rays and casts, also where one triangle stands for a flat patch: the triangle, its material, the part. */
+LOOP_TEST(queries_tell_the_triangle_and_its_material, 0, 2) {
+    const MeVector3 down = {0, 0, -4};
+    static MeU32 materials[TRIANGLES];
+    McdCastResult hit;
+    MeMatrix4 from, turned;
+    for (int i = 0; i < TRIANGLES; i++)
+        materials[i] = (MeU32)(i % 7);
+    begin(materials);
+    McdGeometryInstanceID part = McdModelGetGeometryInstance(floorModel);
+    if (_i == 1) { /* the same as the second part of a compound */
+        const McdAggregateID whole = McdAggregateCreate(u->frame, 2);
+        MeMatrix4TMMakeIdentity(turned);
+        turned[3][2] = -30;
+        McdAggregateAddElement(whole, McdBoxCreate(u->frame, 1, 1, 1), turned);
+        McdAggregateAddElement(whole, mesh, 0);
+        MstFixedModelDestroy(floorModel);
+        floorModel = MstFixedModelCreate(u, whole, place);
+        part = McdGeometryInstanceGetChild(McdModelGetGeometryInstance(floorModel), 1);
+    }
+    ck_assert(McdGeometryInstanceGetGeometry(part) == mesh);
+    const McdGeometryID ball = McdSphereCreate(u->frame, (MeReal).05);
+    McdSpaceEndChanges(u->space);
+    for (int n = 0; n < 200; n++) {
+        const double x = fmod(n * 7.317, 18) - 9 + .013, y = fmod(n * 3.711, 18) - 9 + .029;
+        const MeVector3 start = {(MeReal)x, (MeReal)y, 2};
+        if (fabs(fmod(x + 20, 1) - fmod(y + 20, 1)) < .01)
+            continue; /* an edge: both triangles are right */
+        MeMatrix4TMMakeIdentity(from);
+        MeVector3Copy(from[3], start);
+        for (int isCast = 0; isCast < 2; isCast++) {
+            memset(&hit, 0x55, sizeof hit);
+            ck_assert(isCast ? McdSpaceCastGeometry(u->space, ball, from, down, 0, 0, &hit)
+                             : McdSpaceCastRay(u->space, start, down, 0, 0, &hit));
+            ck_assert(hit.model == floorModel && hit.instance == part);
+            ck_assert_int_eq(hit.element.tag, triangleAt(x, y));
+            ck_assert_int_eq((int)hit.material, triangleAt(x, y) % 7);
+        }
+    }
+    McdSpaceBeginChanges(u->space);
+}
+
+/* A closed mesh falls through a plane; the program hears of it once, and what to do. A kinematic one is right. */
+TEST(a_mesh_that_forces_move_is_told_of) {
+    static const MeVector3 corner[4] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    static const int faces[12] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+    universe_begin(&MstUniverseGrowingSizes);
+    MdtWorldSetGravity(u->world, 0, 0, -10);
+    universe_addFloor();
+    const McdMeshID solid = McdMeshCreate(u->frame, corner, 4, faces, 4, 0);
+    const McdModelID moved = MstModelAndBodyCreateWithCenter(u, solid, 1000);
+    MdtBodySetKinematic(McdModelGetBody(moved), METRUE);
+    MdtBodySetLinearVelocity(McdModelGetBody(moved), 0, 0, -1);
+    universe_step(60);
+    assert_silent();
+    McdModelID falling = 0;
+    for (int i = 0; i < 2; i++) {
+        falling = MstModelAndBodyCreateWithCenter(u, solid, 1000);
+        McdModelDynamicsSetPosition(falling, 3 + 3. * i, 0, 1);
+    }
+    universe_step(60);
+    ck_assert_int_eq(caught.warnings, 1);
+    assert_warned("MdtBodySetKinematic");
+    ck_assert(height(falling) < -2);
+}

@@ -28,8 +28,10 @@ typedef struct McdMeshQuery McdMeshQuery; /* mcd_mesh_i.h */
 
 /* Adds the triangles that may be near the query's box. */
 typedef void (*McdMeshGather)(McdMeshQuery *q);
-/* The element at a point of the surface, in its frame, for a patch (McdMesh.isPatch); `element`: if there is none. */
-typedef McdElementData (*McdMeshElementAt)(const McdMeshQuery *q, const double place[3], McdElementData element);
+/* The element at a point of the surface, to `slack` along each axis, in its frame, for a patch
+ * (McdMeshTriangle.isPatch); `element`: if there is none. */
+typedef McdElementData (*McdMeshElementAt)(const McdGeometry *g, const double place[3], const double slack[3],
+                                           McdElementData element);
 
 struct McdKind {
     int type; /* kMcdGeometryType...; not set for shapes that are no geometries, such as triangles */

@@ -285,8 +285,9 @@ static MeBool addPatch(McdMeshQuery *q, const McdMeshRecord *m, const double low
         mcd_mad(corner[k], corner[k], reach * sin(k * 2 * MCD_PI / 3), w);
     }
     mcd_meshAdd(q, mcd_constRows(corner), normal, triangleFlags(m), 0, (McdElementData){.tag = triangle});
-    q->mesh->isPatch = q->mesh->count == 1;
-    return q->mesh->isPatch;
+    if (q->mesh->count != 1)
+        return MEFALSE;
+    return q->mesh->triangle[0].isPatch = METRUE;
 }
 
 static void gather(McdMeshQuery *q) {
@@ -327,15 +328,15 @@ static MeBool visitUnder(void *context, int triangle) {
     return METRUE;
 }
 
-static McdElementData elementAt(const McdMeshQuery *q, const double place[3], McdElementData element) {
-    const McdMeshRecord *m = get(mcd_record(q->pair->model2)->instance.geometry);
+static McdElementData elementAt(const McdGeometry *g, const double place[3], const double slack[3],
+                                McdElementData element) {
+    const McdMeshRecord *m = get(g);
     Under under = {.mesh = m, .triangle = -1};
     double low[3], high[3];
     mcd_copy(under.place, place);
     for (int i = 0; i < 3; i++) {
-        const double slack = 1e-6 * (q->high[i] - q->low[i]);
-        low[i] = (place[i] - slack) / (double)m->scale[i];
-        high[i] = (place[i] + slack) / (double)m->scale[i];
+        low[i] = (place[i] - slack[i]) / (double)m->scale[i];
+        high[i] = (place[i] + slack[i]) / (double)m->scale[i];
     }
     mcd_bvhQuery(m->data->bvh, low, high, visitUnder, &under);
     return under.triangle < 0 ? element : (McdElementData){.tag = under.triangle};
@@ -395,6 +396,8 @@ static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeR
         by[i] = (ray.to[i] - ray.from[i]) / (double)ray.mesh->scale[i];
     }
     mcd_bvhCast(ray.mesh->data->bvh, from, by, hitTriangle, &ray);
+    if (ray.triangle >= 0)
+        outOverlap->element.tag = ray.triangle;
     return ray.triangle >= 0 &&
            mcd_writeSegmentHit(mcd_const(ins->tm), inOrig, inDest, ray.fraction, ray.normal, outOverlap);
 }

@@ -243,9 +243,10 @@ MCD_MESH_INTERACTIONS(RGHeightField)
 
 /* ---- line segments ----------------------------------------------------------------------------------------------- */
 
-/* Intersects the segment with both triangles of a cell: *fraction and normal become those of a hit that is nearer. */
+/* Intersects the segment with both triangles of a cell: *fraction, normal and *element become those of a
+ * hit that is nearer. */
 static void intersectCell(const McdRGHeightField *f, int i, int j, const double from[3], const double to[3],
-                          double *fraction, double normal[3]) {
+                          double *fraction, double normal[3], McdElementData *element) {
     for (int half = 0; half < 2; half++) {
         double corner[3][3], own[3], here, hit[3];
         triangleOf(f, i, j, half, corner);
@@ -253,6 +254,7 @@ static void intersectCell(const McdRGHeightField *f, int i, int j, const double 
             !mcd_segmentTriangle(mcd_constRows(corner), own, MEFALSE, from, to, &here, hit) || here >= *fraction)
             continue;
         *fraction = here;
+        *element = elementOf(f, i, j, half);
         mcd_copy(normal, hit);
     }
 }
@@ -286,7 +288,7 @@ static double exitFraction(double x, double along, double x0, double step, int c
 /* Traverses the cells along the segment, testing the neighbouring cells as well: rounding must not let a segment
  * along a grid line slip between two cells. */
 static MeBool traverseCells(const McdRGHeightField *f, const double from[3], const double to[3], double *fraction,
-                            double normal[3]) {
+                            double normal[3], McdElementData *element) {
     const double origin[2] = {(double)f->x0, (double)f->y0}, step[2] = {(double)f->xStep, (double)f->yStep};
     const int points[2] = {f->xCount, f->yCount};
     double enter, leave;
@@ -300,7 +302,7 @@ static MeBool traverseCells(const McdRGHeightField *f, const double from[3], con
         for (int beside = 0; beside < 9; beside++) {
             const int i = cell[0] + beside % 3 - 1, j = cell[1] + beside / 3 - 1;
             if (i >= 0 && j >= 0 && i <= points[0] - 2 && j <= points[1] - 2)
-                intersectCell(f, i, j, from, to, fraction, normal);
+                intersectCell(f, i, j, from, to, fraction, normal, element);
         }
         MEASSERT(*fraction == INFINITY || (*fraction >= 0 && *fraction <= 1));
         if (*fraction < INFINITY)
@@ -320,7 +322,7 @@ static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeR
     const McdGeometryInstance *ins = &mcd_record(cm)->instance;
     double from[3], to[3], fraction, normal[3];
     return mcd_toLocal(mcd_const(ins->tm), inOrig, from) && mcd_toLocal(mcd_const(ins->tm), inDest, to) &&
-           traverseCells((const McdRGHeightField *)ins->geometry, from, to, &fraction, normal) &&
+           traverseCells((const McdRGHeightField *)ins->geometry, from, to, &fraction, normal, &outOverlap->element) &&
            mcd_writeSegmentHit(mcd_const(ins->tm), inOrig, inDest, fraction, normal, outOverlap);
 }
 

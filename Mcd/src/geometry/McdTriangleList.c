@@ -248,9 +248,10 @@ MCD_MESH_INTERACTIONS(TriangleList)
 
 /* ---- line segments ----------------------------------------------------------------------------------------------- */
 
-/* Intersects a segment with the triangles. Returns the fraction of the segment at its first hit, and the normal
- * there; above 1: no hit. */
-static double firstHit(const Generated *generated, const double from[3], const double to[3], double normal[3]) {
+/* Intersects a segment with the triangles. Returns the fraction of the segment at its first hit, with the normal and
+ * the triangle's data; above 1: no hit. */
+static double firstHit(const Generated *generated, const double from[3], const double to[3], double normal[3],
+                       McdElementData *element) {
     double min = 2;
     MEASSERT(generated->count >= 0 && generated->count <= generated->room);
     for (int i = 0; i < generated->count; i++) {
@@ -262,6 +263,7 @@ static double firstHit(const Generated *generated, const double from[3], const d
                                 hit) &&
             fraction < min) {
             min = fraction;
+            *element = t->triangleData;
             memcpy(normal, hit, sizeof hit);
         }
     }
@@ -288,7 +290,7 @@ static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeR
     memset(&pair, 0, sizeof pair);
     pair.model1 = pair.model2 = cm;
     callGenerator(list, &pair, scratch, middle, sqrt(length) / 2, &generated);
-    const double min = firstHit(&generated, from, to, normal);
+    const double min = firstHit(&generated, from, to, normal, &outOverlap->element);
     releaseArray(list, &generated);
     mcd_scratchRelease(frame, scratch);
     return min <= 1 && mcd_writeSegmentHit(mcd_const(ins->tm), inOrig, inDest, min, normal, outOverlap);

@@ -115,9 +115,7 @@ unsigned int MEAPI McdContactGetMaterial(const McdContact *c, int side) {
     const McdGeometryInstanceID ins = instanceOf(c, side);
     if (!ins)
         return 0;
-    const McdKind *kind = mcd_kindOf(ins->geometry);
-    const int own = kind && kind->material ? kind->material(ins->geometry, (side ? c->element2 : c->element1).tag) : -1;
-    return own >= 0 ? (unsigned int)own : mcd_instanceMaterial(ins);
+    return mcd_elementMaterial(ins, side ? c->element2 : c->element1);
 }
 
 void MEAPI McdContactGetExact(const McdContact *c, McdExactContact *exact) {

@@ -161,6 +161,12 @@ unsigned int mcd_instanceMaterial(const McdGeometryInstance *ins) {
     return mcd_record(ins->model)->material;
 }
 
+unsigned int mcd_elementMaterial(const McdGeometryInstance *ins, McdElementData element) {
+    const McdKind *kind = mcd_kindOf(ins->geometry);
+    const int own = kind && kind->material ? kind->material(ins->geometry, element.tag) : -1;
+    return own >= 0 ? (unsigned int)own : mcd_instanceMaterial(ins);
+}
+
 unsigned int MEAPI McdGeometryInstanceGetMaterial(McdGeometryInstanceID ins) {
     return mcd_instanceCheck(ins, "McdGeometryInstanceGetMaterial") ? mcd_instanceMaterial(ins) : 0;
 }

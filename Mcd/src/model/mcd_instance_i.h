@@ -90,6 +90,8 @@ void mcd_instancePlaceChildren(McdGeometryInstance *ins); /* recursively, from i
 
 /* The instance's material: its own, or else that of the nearest ancestor that has one. */
 unsigned int mcd_instanceMaterial(const McdGeometryInstance *ins);
+/* The material of an element of the part, such as a mesh's triangle; else the part's. */
+unsigned int mcd_elementMaterial(const McdGeometryInstance *ins, McdElementData element);
 /* Whether it is an instance of a live model; warns if not. */
 MeBool mcd_instanceCheck(const McdGeometryInstance *ins, const char *function);
 

@@ -125,6 +125,21 @@ static void warnOfNoInteraction(McdModelPair *p) {
                   McdGeometryGetTypeName(McdModelGetGeometry(p->model2)));
 }
 
+void MEAPI McdModelPairWarnOfSurfaces(const McdModelPair *p) {
+    const McdKind *a = kindOf(p->model1), *b = kindOf(p->model2);
+    MeBool isSwapped;
+    if (!a || !b || a->isEmpty || b->isEmpty || !a->isStatic || !b->isStatic || interactionOf(p, &isSwapped))
+        return;
+    McdGridCell *cell = cellOfModels(p->model1, p->model2);
+    if (atomic_fetch_add(&cell->warned, 1) == 0)
+        MeWarning(2,
+                  "%s: a %s whose body forces move passes through a %s: surfaces do not touch each other. Make it of "
+                  "convex hulls (McdConvexMeshCreateHull), several in an aggregate, or move it yourself "
+                  "(MdtBodySetKinematic)",
+                  MeCallerName("MstUniverseStep"), McdGeometryGetTypeName(McdModelGetGeometry(p->model1)),
+                  McdGeometryGetTypeName(McdModelGetGeometry(p->model2)));
+}
+
 void MEAPI McdHello(McdModelPair *p) {
     MeBool isSwapped;
     if (!checkPair(p, "McdHello"))
@@ -533,16 +548,28 @@ static MeBool isPoint(const MeReal *p) {
     return p && mcd_areInRange(p, 3);
 }
 
+/* Whether the tree of instances has an instance. The program's own types may write anything. */
+static MeBool hasInstance(const McdGeometryInstance *tree, const McdGeometryInstance *ins) {
+    MeBool isFound = ins == tree;
+    for (const McdGeometryInstance *child = tree->firstChild; child && !isFound; child = child->nextSibling)
+        isFound = hasInstance(child, ins);
+    return isFound;
+}
+
 MeBool mcd_lineSegIntersect(McdModelID cm, MeReal *inOrig, MeReal *inDest, McdLineSegIntersectResult *outOverlap) {
     McdModelRecord *m = mcd_record(cm);
     const McdTypeRecord *type = &m->frame->types[m->instance.geometry->type];
     if (!type->lineSegment || !mcd_modelIsPlaced(m))
         return MEFALSE;
     const McdTypeCall call = mcd_typeEnter(m->frame, type);
+    outOverlap->instance = &m->instance;
+    outOverlap->element.ptr = 0;
     const MeBool isHit = type->lineSegment(cm, inOrig, inDest, outOverlap) != 0;
     mcd_typeLeave(&call);
     if (isHit)
         outOverlap->model = cm;
+    if (isHit && !hasInstance(&m->instance, outOverlap->instance))
+        outOverlap->instance = &m->instance;
     return isHit;
 }
 

@@ -200,6 +200,7 @@ static int firstHitOfInstance(McdGeometryInstance *ins, MeReal *from, MeReal *to
     mcd_standInEnd(child, ins);
     if (!isHit || (hits && here.distance >= best->distance))
         return hits;
+    here.instance = ins;
     *best = here;
     return 1;
 }

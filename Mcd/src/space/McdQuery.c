@@ -26,6 +26,8 @@ typedef struct Query {
 typedef struct ChildGap {
     McdGeometryInstance *child;
     McdGap gap;
+    McdElementData element; /* of a surface: the triangle */
+    MeBool isPatch;         /* McdMeshTriangle.isPatch */
 } ChildGap;
 
 static Query makeQuery(const McdSpace *space, McdLineSegIntersectEnableCallback filter, void *filterData,
@@ -84,7 +86,7 @@ static MeBool nearestChild(const Query *q, McdModelID cm, ChildGap *nearest) {
     for (McdGeometryInstance *child = firstLeaf(&mcd_record(cm)->instance); child; child = nextLeaf(child))
         if (mcd_measureGap(&q->shape, child, q->self, q->origin, q->reach, &gap) &&
             gap.distance < nearest->gap.distance)
-            *nearest = (ChildGap){child, gap};
+            *nearest = (ChildGap){.child = child, .gap = gap};
     return nearest->gap.distance < INFINITY;
 }
 
@@ -356,7 +358,7 @@ typedef struct MeshCast {
 static MeBool visitTriangle(void *context, const McdMeshTriangle *t, const McdShape *triangle) {
     const MeshCast *m = context;
     Cast *c = m->cast;
-    ChildGap hit = {.child = m->child};
+    ChildGap hit = {.child = m->child, .element = t->element, .isPatch = t->isPatch};
     double fraction;
     if (!advanceToTouch(c, triangle, &hit, &fraction))
         return METRUE;
@@ -409,10 +411,28 @@ static MeBool checkCast(McdSpaceID s, const MeReal *by, const McdCastResult *res
     return MEFALSE;
 }
 
+/* The element that is hit. Where one triangle stands for a flat patch, it is the one at the contact. */
+static McdElementData elementOf(const Cast *c) {
+    const McdGeometry *g = c->hit.child->geometry;
+    double slack[3], place[3], offset[3];
+    if (!c->hit.isPatch)
+        return c->hit.element;
+    const MeVector4 *tm = mcd_const(mcd_instanceTM(c->hit.child));
+    for (int i = 0; i < 3; i++)
+        offset[i] = c->q.origin[i] + c->hit.gap.onOther[i] - (double)tm[3][i];
+    for (int i = 0; i < 3; i++) {
+        place[i] = offset[0] * (double)tm[i][0] + offset[1] * (double)tm[i][1] + offset[2] * (double)tm[i][2];
+        slack[i] = touchingGap(c);
+    }
+    return mcd_kindOf(g)->elementAt(g, place, slack, c->hit.element);
+}
+
 static void writeCast(const Cast *c, McdCastResult *result) {
     MEASSERT(c->hit.child->model == c->model && c->fraction >= 0 && c->fraction <= 1);
     result->model = c->model;
     result->instance = c->hit.child;
+    result->element = elementOf(c);
+    result->material = mcd_elementMaterial(c->hit.child, result->element);
     result->fraction = (MeReal)c->fraction;
     toWorld(&c->q, c->hit.gap.onOther, result->position);
     mcd_toReal(result->normal, c->hit.gap.normal);
@@ -439,7 +459,9 @@ int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix
 
 static void writeRay(const McdLineSegIntersectResult *hit, MeReal length, McdCastResult *result) {
     result->model = hit->model;
-    result->instance = &mcd_record(hit->model)->instance;
+    result->instance = hit->instance;
+    result->element = hit->element;
+    result->material = mcd_elementMaterial(hit->instance, hit->element);
     result->fraction = length > 0 ? MeMIN(hit->distance / length, 1) : 0;
     MeVector3Copy(result->position, hit->position);
     MeVector3Copy(result->normal, hit->normal);

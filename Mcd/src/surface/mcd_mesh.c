@@ -82,6 +82,7 @@ void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *norma
         memcpy(t->vertex, vertex, sizeof t->vertex);
     t->flags = flags;
     t->element = element;
+    t->isPatch = MEFALSE;
     mesh->count++;
     MEASSERT(mesh->count <= mesh->max && isfinite(mcd_dot(t->normal, t->normal)));
     MEASSERT(mcd_isUnit(own));
@@ -205,7 +206,6 @@ static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
 static void gatherTriangles(McdMeshQuery *q) {
     McdMesh *mesh = q->mesh;
     mesh->count = mesh->contactCount = mesh->skipped = mesh->vertexCount = 0;
-    mesh->isPatch = MEFALSE;
     mcd_kindOf(mcd_record(q->pair->model2)->instance.geometry)->gather(q);
     MEASSERT(q->mesh->count <= q->mesh->max && q->mesh->contactCount == 0);
     if (mesh->skipped)
@@ -214,14 +214,17 @@ static void gatherTriangles(McdMeshQuery *q) {
 
 /* The element of a contact's triangle; in a patch, of the triangle at the contact. */
 static McdElementData elementOf(const McdMeshQuery *q, const McdMeshContact *c) {
-    double offset[3], place[3];
-    if (!q->mesh->isPatch)
+    double offset[3], place[3], slack[3];
+    if (!q->mesh->triangle[0].isPatch)
         return c->element;
     mcd_mad(offset, c->position, -c->separation / 2, c->normal);
     mcd_sub(offset, offset, q->place);
-    for (int i = 0; i < 3; i++)
+    for (int i = 0; i < 3; i++) {
         place[i] = mcd_dot(offset, q->axis[i]);
-    return mcd_kindOf(mcd_record(q->pair->model2)->instance.geometry)->elementAt(q, place, c->element);
+        slack[i] = 1e-6 * (q->high[i] - q->low[i]);
+    }
+    const McdGeometry *g = mcd_record(q->pair->model2)->instance.geometry;
+    return mcd_kindOf(g)->elementAt(g, place, slack, c->element);
 }
 
 static void addToResult(McdMeshQuery *q, McdIntersectResult *result) {

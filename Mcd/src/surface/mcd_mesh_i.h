@@ -27,6 +27,7 @@ typedef struct McdMeshTriangle {
     McdElementData element;
     int facing;       /* the only admissible contact normal: 1 its own, -1 the opposite; 0: to be searched */
     MeBool isFlat;    /* degenerate after rounding (an edge without length): touches nothing */
+    MeBool isPatch;   /* it is the only one, and stands for coplanar ones without a border near the shape */
     MeBool isPending; /* within reach of the shape, no contacts so far */
     MeBool isBelow;   /* the core's nearest point to its plane is above it and projects into the triangle */
 } McdMeshTriangle;
@@ -65,7 +66,6 @@ typedef struct McdMesh {
     int *contactOrder;
     void *spots; /* array of McdSpot */
     int *kept;
-    MeBool isPatch;  /* the only triangle stands for coplanar ones without a border near the shape */
     int skipped;     /* number of triangles without area */
     int vertexCount; /* vertices that the geometry has numbered; 0: numbered by coordinates */
 } McdMesh;

@@ -68,7 +68,6 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
     mcd_copy(q.origin, origin);
     setMeshFrame(&q, ins, low, high);
     q.mesh->count = q.mesh->skipped = q.mesh->vertexCount = 0;
-    q.mesh->isPatch = MEFALSE;
     mcd_kindOf(ins->geometry)->gather(&q);
     mcd_standInEnd(pair.model2, ins);
     MeBool goesOn = METRUE;

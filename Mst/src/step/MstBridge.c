@@ -249,6 +249,20 @@ static void reservePairs(MstBridgeRecord *b, int count) {
         replacePairContainer(b, size);
 }
 
+static MeBool isMovedByForces(McdModelID m) {
+    const MdtBodyID body = mst_freeBodyOf(m);
+    return body && MdtBodyIsEnabled(body) && !McdModelIsSensor(m);
+}
+
+/* Planes, height fields, lists and meshes have no contacts with each other. */
+static void warnOfSurfaces(const McdModelPairContainer *pairs) {
+    for (int i = pairs->helloFirst; i < pairs->helloEnd; i++) {
+        const McdModelPair *p = pairs->array[i];
+        if (isMovedByForces(p->model1) || isMovedByForces(p->model2))
+            McdModelPairWarnOfSurfaces(p);
+    }
+}
+
 /* Objects that callbacks destroyed are removed at the end, once the next change block is open. */
 void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
     McdSpacePairIterator iterator;
@@ -278,6 +292,7 @@ void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
         isMore = McdSpaceGetPairs(s, &iterator, *pairs);
         MEASSERT((*pairs)->goodbyeEnd <= (*pairs)->helloFirst && (*pairs)->helloEnd == (*pairs)->stayingFirst);
         MstHandleTransitionsOf(*pairs);
+        warnOfSurfaces(*pairs);
         handleCollisions(record, *pairs, s, w);
     } while (isMore);
     McdSpaceBeginOwnChanges(s);
