@@ -111,8 +111,8 @@ static float labelSize(const RRender *rc) {
 }
 
 /* Its left or right edge is at x. */
-static Label label(const RRender *rc, float x, float bottom, bool right, const char *text) {
-    const float scale = r_uiScale(rc), size = labelSize(rc), pad = 6 * scale;
+static Label labelOf(const RRender *rc, float size, float x, float bottom, bool right, const char *text) {
+    const float scale = r_uiScale(rc), pad = 6 * scale;
     float height;
     const float width = r_uiTextSize(text, size, 0, &height) + 2 * pad;
     height += pad;
@@ -122,12 +122,20 @@ static Label label(const RRender *rc, float x, float bottom, bool right, const c
     return (Label){left, top, left + width};
 }
 
-/* In several lines, if the scene is too narrow. */
+static Label label(const RRender *rc, float x, float bottom, bool right, const char *text) {
+    return labelOf(rc, labelSize(rc), x, bottom, right, text);
+}
+
+/* If the scene is too narrow, in smaller letters; if that is not enough, in several lines. */
 static Label labelStatus(const RRender *rc, float left, float bottom, float width) {
+    const float room = width - 12 * r_uiScale(rc), small = 11.5f * r_uiScale(rc);
+    const bool isLong = r_uiTextSize(rc->m_pViewer->status, labelSize(rc), 0, NULL) > room;
+    const bool fitsSmall = r_uiTextSize(rc->m_pViewer->status, small, 0, NULL) <= room;
+    const float size = isLong && fitsSmall ? small : labelSize(rc);
     char text[1024];
     snprintf(text, sizeof text, "%s", rc->m_pViewer->status);
-    breakLines(text, labelSize(rc), width - 12 * r_uiScale(rc));
-    return label(rc, left, bottom, false, text);
+    breakLines(text, size, room);
+    return labelOf(rc, size, left, bottom, false, text);
 }
 
 /* At the right, beside what is there, or above it where there is no room. Returns the bottom of what comes above. */

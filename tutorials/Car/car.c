@@ -239,14 +239,15 @@ static void showFigures(void) {
     MeVector3 w;
     const MeReal *at = MdtBodyGetTransformPtr(body())[3];
     MdtBodyGetAngularVelocity(body(), w);
-    int n = snprintf(text, sizeof text, "speed %.2f  gear %s  rpm %.0f  torque %.0f  steer %+.2f  turn %+.2f",
-                     (double)speedOf(), gearName[gear + 1], (double)engineSpeed(), (double)torque,
-                     (double)(steering * 180 / ME_PI), (double)(w[1] * 180 / ME_PI));
-    n += snprintf(text + n, sizeof text - (size_t)n, "  down %d  x %.2f y %.3f z %.2f  springs", wheelsOnGround(),
-                  (double)at[0], (double)at[1], (double)at[2]);
+    int n = snprintf(text, sizeof text, "speed %.2f m/s  gear %s  %.0f rpm  steer %+.2f deg  turn %+.2f deg/s",
+                     (double)speedOf(), gearName[gear + 1], (double)engineSpeed(), (double)(steering * 180 / ME_PI),
+                     (double)(w[1] * 180 / ME_PI));
+    n += snprintf(text + n, sizeof text - (size_t)n, "  down %d of 4  x %.2f y %.3f z %.2f m  springs",
+                  wheelsOnGround(), (double)at[0], (double)at[1], (double)at[2]);
     for (int i = 0; i < WHEELS; i++)
         n += snprintf(text + n, sizeof text - (size_t)n, " %+.1f",
                       (double)MdtCarWheelGetSuspensionHeight(joint[i]) * 100);
+    snprintf(text + n, sizeof text - (size_t)n, " cm");
     RRenderSetStatusText(playRc, text);
 }
 

@@ -534,7 +534,7 @@ static void showFigures(void) {
     MdtBodyGetPosition(quadBike.chassisBody, at);
     snprintf(text, sizeof text,
              "speed %.2f m/s  steer %+.2f deg  bars %+.2f deg  turn %+.2f deg/s  lean %+.2f deg  knees %+.2f deg  x "
-             "%.2f y %.3f z %.2f",
+             "%.2f y %.3f z %.2f m",
              (double)speedOf(&quadBike), -degrees(MdtCarWheelGetSteeringAngle(quadBike.wheelJoint[FRONT_LEFT])),
              -degrees(MdtLimitGetPosition(MdtHingeGetLimit(quadBike.hBarJoint))), degrees(w[1]),
              hingeAngle(character.joint[HIPS]), hingeAngle(character.joint[KNEES]), (double)at[0], (double)at[1],
