@@ -4,7 +4,7 @@
  * and fro. The rack carries two fingers: a motor slides one of them, and a mimic makes the other one follow. Beside it
  * hangs a load on a rope that runs over two wheels, and a counterweight, on which the program pulls now and then.
  *
- * The shapes have no teeth, and nothing here collides: the joints are the teeth. Watch the status line: by how much the
+ * The teeth are painted, and nothing here collides: the joints are the teeth. Watch the status line: by how much the
  * wheels are out of phase, however long they have turned, and by how much the fingers differ.
  */
 #include "RParameter.h"
@@ -15,7 +15,8 @@
 enum { WHEELS = 3, PERIOD = 240 /* steps */ };
 
 static const MeReal radius[WHEELS] = {(MeReal)0.25, (MeReal)0.75, (MeReal)0.5}, place[WHEELS] = {-2, -1, (MeReal)0.25};
-static MeMatrix4 spoke[WHEELS][2];
+static const int teeth[WHEELS] = {10, 30, 20};
+static MeMatrix4 pulleyTM[2];
 static MdtBodyID wheel[WHEELS], weight;
 static MdtGearID gear[WHEELS]; /* from a wheel to the next one; the last one is the rack's */
 static MdtLimitID motor, finger[2];
@@ -33,16 +34,41 @@ static McdGeometryID box(MeReal x, MeReal y, MeReal z) {
     return McdBoxCreate(playUniverse->frame, x, y, z);
 }
 
-/* Two crossed bars, so that one sees it turn. */
+/* One graphic of two: the second one turned about z and moved along x and y. */
+static RGraphic *join(RGraphic *all, RGraphic *more, double turn, double x, double y) {
+    MeMatrix4 tm;
+    MeMatrix3 turned;
+    MeMatrix3MakeRotationZ(turned, (MeReal)turn);
+    MeMatrix4TMMakeFromRotationAndPosition(tm, turned, (MeReal)x, (MeReal)y, 0);
+    RGraphic *both = RGraphicCombine(playRc, all, more, tm);
+    RGraphicDelete(playRc, all, 0);
+    RGraphicDelete(playRc, more, 0);
+    return both;
+}
+
+/* A disc with a bar for two opposite teeth each; the middle wheel has gaps where its neighbours have teeth. */
+static RGraphic *paintWheel(int i) {
+    const float r = (float)radius[i], depth = .06f, thick = .15f, pitch = 2 * (float)ME_PI / (float)teeth[i];
+    RGraphic *all = RGraphicCylinderCreate(playRc, r - depth, thick, RPalette[i], 0);
+    for (int k = 0; k < teeth[i] / 2; k++)
+        all = join(all, RGraphicBoxCreate(playRc, 2 * (r + depth), .45f * pitch * r, thick, RPalette[i], 0),
+                   pitch * (k + (i == 1 ? .5 : 0)), 0, 0);
+    return all;
+}
+
+/* As long teeth as those of the pinion, which stands between two of them. */
+static RGraphic *paintRack(void) {
+    const float pitch = 2 * (float)ME_PI * (float)radius[2] / (float)teeth[2];
+    RGraphic *all = RGraphicBoxCreate(playRc, 3, .1f, .15f, RPalette[3], 0);
+    for (int k = -9; k < 9; k++)
+        all = join(all, RGraphicBoxCreate(playRc, .45f * pitch, .12f, .15f, RPalette[3], 0), 0, pitch * (k + .5), .1);
+    return all;
+}
+
 static void createWheel(int i) {
-    McdAggregateID cross = McdAggregateCreate(playUniverse->frame, 2);
     MdtHingeID shaft = MdtHingeCreate(playUniverse->world);
-    for (int k = 0; k < 2; k++) {
-        MeMatrix4TMMakeIdentity(spoke[i][k]);
-        McdAggregateAddElement(
-            cross, box(k ? (MeReal)0.12 : 2 * radius[i], k ? 2 * radius[i] : (MeReal)0.12, (MeReal)0.1), spoke[i][k]);
-    }
-    wheel[i] = createPart(cross, place[i], 3, RPalette[i]);
+    wheel[i] = createPart(McdCylinderCreate(playUniverse->frame, radius[i], (MeReal)0.15), place[i], 3, RPalette[i]);
+    MeAppShowModelAs(playApp, MdtBodyGetModel(wheel[i]), paintWheel(i));
     MdtHingeSetBodies(shaft, wheel[i], 0);
     MdtHingeSetPosition(shaft, place[i], 3, 0);
     MdtHingeSetAxis(shaft, 0, 0, 1);
@@ -68,7 +94,6 @@ static MdtGearID createGear(MdtBodyID first, MdtBodyID second) {
 }
 
 static void createTrain(MdtBodyID rack) {
-    static const int teeth[WHEELS] = {10, 30, 20};
     for (int i = 0; i < WHEELS; i++)
         createWheel(i);
     for (int i = 0; i + 1 < WHEELS; i++) {
@@ -105,6 +130,12 @@ static void createHoist(void) {
     MdtPulleySetWheel(rope, 0, 3, 5, 0);
     MdtPulleySetWheel(rope, 1, 4, 5, 0);
     MdtPulleySetSlack(rope, METRUE);
+    for (int i = 0; i < 2; i++) {
+        static const float steel[4] = {.35f, .38f, .42f, 1};
+        MeMatrix4TMMakeIdentity(pulleyTM[i]);
+        MeVector3Set(pulleyTM[i][3], (MeReal)(3 + i), 5, 0);
+        RGraphicCylinderCreate(playRc, .12f, .1f, steel, pulleyTM[i]);
+    }
     MdtPulleyEnable(rope);
 }
 
@@ -129,7 +160,7 @@ static void MEAPI Tick(RRender *context) {
 }
 
 int MEAPI_CDECL main(int argc, const char **argv) {
-    static const char *const help[] = {"Wheels, a rack, a gripper and a hoist.", "J in F9 - shows the joints"};
+    static const char *const help[] = {"Wheels, a rack, a gripper and a hoist."};
     static const RParameter parameters[] = {
         {"speed of the motor", "rad/s", &speed, 0, 8, (MeReal)0.25, .less = "Down", .more = "Up"},
     };
@@ -137,13 +168,14 @@ int MEAPI_CDECL main(int argc, const char **argv) {
         return 1;
     playFloor();
     MdtBodyID rack = createPart(box(3, (MeReal)0.1, (MeReal)0.15), (MeReal)0.25, (MeReal)2.4, RPalette[3]);
+    MeAppShowModelAs(playApp, MdtBodyGetModel(rack), paintRack());
     createTrain(rack);
     createGripper(rack);
     createHoist();
     playHelp(help, 1);
     RRenderCreateParameters(playRc, parameters, 1);
     MeAppSetLayers(playApp, MstDebugLimits); /* the rope */
-    playCamera(1, 3, 0, 7, 0, .1f);
+    playCamera(1, 3, 0, 7.6f, .25f, .15f);
     playRun(Tick);
     return 0;
 }

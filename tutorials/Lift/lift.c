@@ -117,7 +117,7 @@ int MEAPI_CDECL main(int argc, const char **argv) {
     playHelp(help, 2);
     RRenderCreateParameters(playRc, parameters, 1);
     RRenderSetActionNCallBack(playRc, 2, Reset, 0);
-    playCamera(0, 1, 0, 16, .5f, .5f);
+    playCamera(.8f, .8f, 0, 14, .4f, .5f);
     Reset(playRc, 0);
     playRun(Tick);
     return 0;
