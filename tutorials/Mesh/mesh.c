@@ -10,11 +10,19 @@
 #include "play.h"
 #include <stdio.h>
 
-enum { ALONG = 240, AROUND = 16, VERTICES = ALONG * AROUND, TRIANGLES = 2 * VERTICES, STRIPE = 960, BALLS = 60 };
+enum {
+    ALONG = 240,
+    AROUND = 16,
+    VERTICES = ALONG * AROUND,
+    TRIANGLES = 2 * VERTICES,
+    STRIPE = 960,
+    BALLS = 60,
+    MARKS = 8 * ALONG
+};
 
 static const MeReal tube = (MeReal)0.45, ball = (MeReal)0.2; /* m, radii */
 
-static MeVector3 vertex[VERTICES], corner[TRIANGLES][3];
+static MeVector3 vertex[VERTICES], corner[TRIANGLES][3], mark[MARKS]; /* marks: points of the curve */
 static int index[TRIANGLES][3];
 static MeU32 material[TRIANGLES];
 static MeMatrix4 knotTM = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
@@ -56,6 +64,8 @@ static void makeQuad(int i) {
 static void createKnot(MstMaterialID ice, MstMaterialID rubber) {
     for (int i = 0; i < VERTICES; i++)
         makeQuad(i);
+    for (int i = 0; i < MARKS; i++)
+        curvePoint(2 * ME_PI * (MeReal)i / MARKS, mark[i]);
     for (int i = 0; i < 3 * TRIANGLES; i++) {
         MeVector3Copy(corner[i / 3][i % 3], vertex[index[i / 3][i % 3]]);
         material[i / 3] = i / 3 / STRIPE % 2 ? rubber : ice;
@@ -79,9 +89,8 @@ static MeReal clearance(McdModelID m) {
     MeVector3 p, c;
     MeReal min = 100;
     McdModelDynamicsGetPosition(m, p);
-    for (int i = 0; i < 8 * ALONG; i++) {
-        curvePoint(2 * ME_PI * (MeReal)i / (8 * ALONG), c);
-        MeVector3Subtract(c, c, p);
+    for (int i = 0; i < MARKS; i++) {
+        MeVector3Subtract(c, mark[i], p);
         min = MeMIN(min, MeVector3Magnitude(c));
     }
     return min - tube - ball;
