@@ -47,13 +47,13 @@ static int numberOf(MeReal length) {
     return number;
 }
 
-/* The largest force of this moment is drawn at most two length scales long. */
+/* The largest force of this moment is drawn at most one length scale long. */
 static void fitForces(MeApp *app) {
     MeReal max = 0;
     for (MdtConstraintID c = MdtConstraintGetFirst(app->world); c; c = MdtConstraintGetNext(c))
         max = MeMAX(max, maxForceOf(c));
     if (max > 0)
-        app->controls->forceLength = (MeReal)lengthOf(numberOf(2 * app->lengthScale / max));
+        app->controls->forceLength = (MeReal)lengthOf(numberOf(app->lengthScale / max));
 }
 
 /* ---- What is drawn ----------------------------------------------------------------------------------------------- */
@@ -96,6 +96,8 @@ static void MEAPI drawLayers(RRender *rc, void *userdata) {
     MeApp *app = userdata;
     MeAppControls *c = app->controls;
     const MdtBodyID selected = meapp_selectedBody(app);
+    if ((c->layers & MstDebugForces) && !(c->forceLength > 0))
+        fitForces(app);
     const MstDebugDraw table = {.line = markLine,
                                 .point = markPoint,
                                 .triangle = markTriangle,
@@ -104,8 +106,6 @@ static void MEAPI drawLayers(RRender *rc, void *userdata) {
                                 .forceLength = c->forceLength,
                                 .only = c->selectedOnly ? selected : 0};
     (void)rc;
-    if ((c->layers & MstDebugForces) && !(c->forceLength > 0))
-        fitForces(app);
     if (c->layers)
         MstDebugDrawParts(app->world, app->space, app->lengthScale, c->layers, &table);
     if (selected && c->selectionSeen > 0)

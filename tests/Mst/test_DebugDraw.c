@@ -143,6 +143,24 @@ TEST(forces_have_a_scale) {
     assert_warned("MstDebugDrawUniverse: forceLength");
 }
 
+/* The two barbs of an arrow are of its size, also of aslant forces. */
+TEST(heads_of_arrows_are_in_proportion) {
+    MstDebugDraw scaled = table;
+    floorUnder();
+    MdtWorldSetGravity(u->world, 4, 2, -9);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 1, 0);
+    MdtBodySetMass(McdModelGetBody(box(0, 0, 0.5)), 100);
+    run(5);
+    scaled.forceLength = (MeReal).01;
+    count = 0;
+    MstDebugDrawUniverse(u, MstDebugForces, &scaled);
+    ck_assert_int_gt(count, 3);
+    for (int i = 0; i < count; i += 3)
+        for (int barb = 1; barb < 3; barb++)
+            assert_near(away(marks[i + barb].p[0], marks[i + barb].p[1]) / away(marks[i].p[0], marks[i].p[1]),
+                        sqrt(.05), TOL(1e-4, 1e-12));
+}
+
 /* Of one body, each layer draws what it draws of all bodies, without that of the others. */
 TEST(one_body_alone) {
     enum { LAYERS = 12 };

@@ -72,12 +72,15 @@ static void drawLineAlong(const Drawing *d, const MeVector3 from, const MeVector
 
 /* Draws a line from a point along `times` v, with a head of two strokes. */
 static void drawArrow(const Drawing *d, const MeVector3 from, const MeVector3 v, MeReal times, const float color[4]) {
-    MeVector3 end, side, other, barb;
+    const MeReal length = times * MeVector3Magnitude(v);
+    MeVector3 end, along, side, other, barb;
     drawLineAlong(d, from, v, times, color, end);
-    MeVector3PlaneSpace(v, side, other);
+    MeVector3Copy(along, v);
+    MeVector3Normalize(along); /* MeVector3PlaneSpace wants it so */
+    MeVector3PlaneSpace(along, side, other);
     for (int i = -1; i <= 1; i += 2) {
         for (int k = 0; k < 3; k++)
-            barb[k] = end[k] - (MeReal)0.2 * times * v[k] + (MeReal)(0.1 * i) * MeVector3Magnitude(v) * times * side[k];
+            barb[k] = end[k] - (MeReal)0.2 * length * along[k] + (MeReal)(0.1 * i) * length * side[k];
         drawLine(d, end, barb, color);
     }
 }
