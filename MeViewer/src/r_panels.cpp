@@ -594,8 +594,11 @@ MeBool MEAPI RPanelLine(const char *text, MeBool marked) {
     if (!canShow(__func__, text, "text"))
         return MEFALSE;
     const bool clicked = ImGui::Selectable(text, marked != 0);
-    if (marked && ImGui::IsWindowAppearing())
+    /* A list that is new has no height to scroll over yet. */
+    bool *hasScrolled = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID("scrolled"));
+    if (marked && !*hasScrolled)
         ImGui::SetScrollHereY();
+    *hasScrolled = *hasScrolled || (marked && ImGui::GetScrollMaxY() > 0);
     return clicked;
 }
 

@@ -85,8 +85,22 @@ def check_window(display, directory):
         fail(f'the browser ended with {window.process.returncode}:\n{window.output()}')
 
 
+def check_list(display, directory):
+    """The list begins with the line of the tutorial that runs in its middle: the next one is below it."""
+    window = Window(program, display, directory, 'Ragdolls', '-gl', '-size', '960x600')
+    name = window.find('Karma tutorial: Ragdolls')
+    time.sleep(1)  # frames pass, in which the list is scrolled
+    window.send('mousemove', '--window', name, '700', '215', 'click', '1')
+    window.expect('browser: Car')
+    window.find('Karma tutorial: Car')
+    window.send('key', 'Escape')
+    if window.end() != 0:
+        fail(f'the browser ended with {window.process.returncode}:\n{window.output()}')
+
+
 with tempfile.TemporaryDirectory() as scratch:
     check_all(scratch)
     with server() as x:
         check_window(x, scratch)
+        check_list(x, scratch)
 print('the browser works')
