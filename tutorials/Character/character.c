@@ -93,7 +93,7 @@ static void MEAPI Tick(RRender *context) {
     MdtBodyMoveTo(lift, place, upright);
     MstUniverseStep(playUniverse, playFrame);
     walk();
-    snprintf(text, sizeof text, "at %.2f %.2f %.2f   %s   ground moves at %.2f m/s", (double)at.position[0],
+    snprintf(text, sizeof text, "at %.2f %.2f %.2f m   %s   ground moves at %.2f m/s", (double)at.position[0],
              (double)at.position[1], (double)at.position[2], at.flags & kMstMoverOnGround ? "on ground" : "in the air",
              (double)at.groundVelocity[1]);
     RRenderSetStatusText(playRc, text);

@@ -58,7 +58,7 @@ static void MEAPI Tick(RRender *context) {
     MstUniverseStep(playUniverse, playFrame);
     MeMatrix4Ptr tm = MdtBodyGetTransformPtr(McdModelGetBody(chassis));
     MdtBodyGetAngularVelocity(McdModelGetBody(chassis), w);
-    snprintf(text, sizeof text, "%.1f m/s  gear %d  lean %+.1f degrees, for the curve %+.1f  x %.1f y %.2f z %.1f",
+    snprintf(text, sizeof text, "%.1f m/s  gear %d  lean %+.1f degrees, for the curve %+.1f  x %.1f y %.2f z %.1f m",
              (double)MstVehicleGetSpeed(bike), MstVehicleGetGear(bike), (double)(MeAsin(-tm[2][1]) * -180 / ME_PI),
              (double)(MeAtan(MstVehicleGetSpeed(bike) * w[1] / (MeReal)9.81) * 180 / ME_PI), (double)tm[3][0],
              (double)tm[3][1], (double)tm[3][2]);

@@ -66,7 +66,7 @@ static void MEAPI Tick(RRender *context) {
         MstVehicleGetWheel(car, i, &w[i]);
     const MeReal *at = MdtBodyGetTransformPtr(McdModelGetBody(chassis))[3];
     snprintf(text, sizeof text,
-             "%.1f m/s  gear %d  rpm %.0f  loads %.0f %.0f %.0f %.0f N  slip %+.3f  x %.1f y %.2f z %.1f",
+             "%.1f m/s  gear %d  rpm %.0f  loads %.0f %.0f %.0f %.0f N  slip %+.3f  x %.1f y %.2f z %.1f m",
              (double)MstVehicleGetSpeed(car), MstVehicleGetGear(car), (double)MstVehicleGetEngineSpeed(car),
              (double)w[0].load, (double)w[1].load, (double)w[2].load, (double)w[3].load, (double)w[2].slip[0],
              (double)at[0], (double)at[1], (double)at[2]);
