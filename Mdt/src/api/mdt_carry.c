@@ -3,6 +3,7 @@
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "api/mdt_api_i.h"
+#include <float.h>
 #include <string.h>
 
 /* A rigid motion: x -> R (x - from) + to. */
@@ -56,16 +57,37 @@ static void rotateNormals(MdtManifold *block, const Motion *second) {
             rotateNormal(second, extra->normal);
 }
 
-/* Moves the two surface points of a contact with their bodies. They lie half the depth on either side of the contact:
- * depth = n·(p_1 - p_0). The contact is put halfway between them; on the world, along the normal from the body's
- * point. */
-static void moveSurfacePoints(MdtPoint *p, const Motion motion[2], const double before[3], const double after[3],
-                              MeBool isOnWorld) {
+/* The vector from the centre of a round side, or of its rim, to the point that is farthest along the outward normal; 0
+ * for a flat one. turn: the rotation of a rim's axis. */
+static void offsetToSurface(const MdtPoint *p, int k, const double normal[3], const double turn[3][3], double out[3]) {
+    double own[3], axis[3];
+    const double rim = mdt_pointRim(p, k, own);
+    keaScale(out, k == 0 ? -1 : 1, normal);
+    if (!(rim > 0)) {
+        keaScale(out, (double)mdt_pointRadius(p, k), out);
+        return;
+    }
+    keaApply(axis, turn, own);
+    keaAddScaled(out, -keaDot(out, axis), axis);
+    keaScale(out, rim / keaMax(keaLength(out), DBL_MIN), out);
+}
+
+/* Moves the two surface points of a contact with their bodies, those of round sides with their centres. They lie half
+ * the depth on either side of the contact: depth = n·(p_1 - p_0). The contact is put halfway between them; on the
+ * world, along the normal from the body's point. `p` may be a copy of the record. */
+static void moveSurfacePoints(const MdtPoint *record, MdtPoint *p, const Motion motion[2], const double before[3],
+                              const double after[3], MeBool isOnWorld) {
+    static const double identity[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     double surface[2][3], between[3];
     for (int k = 0; k < 2; k++) {
+        double out[3];
+        offsetToSurface(record, k, before, identity, out);
         keaCopy(surface[k], p->position);
         keaAddScaled(surface[k], (k == 0 ? -0.5 : 0.5) * p->depth, before);
+        keaAddScaled(surface[k], -1, out);
         movePoint(&motion[k], surface[k]);
+        offsetToSurface(record, k, after, (const double(*)[3])motion[k].R, out);
+        keaAddScaled(surface[k], 1, out);
     }
     keaSubtract(between, surface[1], surface[0]);
     p->depth = keaDot(after, between);
@@ -89,7 +111,7 @@ void mdt_pointGetCurrent(const MdtPoint *p, double time, double position[3], dou
             getStepMotion(m->base.side[k].body, &motion[k]);
         else
             setIdentityMotion(&motion[k]);
-    moveSurfacePoints(&carried, motion, normal, normal, !m->base.side[1].body);
+    moveSurfacePoints(p, &carried, motion, normal, normal, !m->base.side[1].body);
     keaCopy(position, carried.position);
     *depth = carried.depth;
 }
@@ -125,7 +147,7 @@ MeReal MEAPI MdtContactGroupCarry(MdtContactGroupID g, const MeBool hasMoved[2])
             rotateNormals(block, &motion[1]);
         findNormals(block, after);
         for (MdtPoint *p = mdt_pointIn(block, 0); p; p = mdt_pointIn(block, p->slot + 1)) {
-            moveSurfacePoints(p, motion, before[p->slot], after[p->slot], !m->base.side[1].body);
+            moveSurfacePoints(p, p, motion, before[p->slot], after[p->slot], !m->base.side[1].body);
             min = keaMin(min, -p->depth);
         }
     }
