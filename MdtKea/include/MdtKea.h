@@ -276,6 +276,9 @@ typedef struct MdtKeaParameters {
     MeBool timed;      /**< impacts are resolved at their time; bodies move with their mean velocities (θ = 1/2) */
     MeBool holdsSlow;  /**< a timed step is not divided at impacts that are too slow to rebound: these contacts are
                             constrained from its start, so that they touch at its end; nor where sliding stops */
+    MeBool followsContacts; /**< fast solver: contacts on vertices and rims move with their bodies within the step */
+    MeBool collidesAtStart,
+        collidesAtEnd; /**< fast solver: bodies meet at the start, or at the end, of this sub-step */
     MdtKeaSolver solver;
     double accuracy;  /**< m/s: residual that a row may have; more is allowed while bodies are accelerated */
     double restSpeed; /**< m/s, fast solver: slower bodies count as resting */
@@ -461,6 +464,13 @@ MEPUBLIC int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *system);
  */
 MEPUBLIC MeBool MEAPI MdtKeaContactHolds(const MdtKeaBody *const bodies[2], double gap, double rate, double restitution,
                                          double loadSpeed);
+
+/**
+ * s: the time of the first impact of the system's manifolds within the step that is faster than a quarter of the change
+ * of velocity by loads, if accelerations stay those of the last step; none: the step's length. Needs no rows; changes
+ * nothing.
+ */
+MEPUBLIC double MEAPI MdtKeaTimeOfImpact(const MdtKeaSystem *system);
 
 /** Whether some body has a kick, an impulse at the start of the step (MdtKeaBody.kick). */
 MEPUBLIC MeBool MEAPI MdtKeaIsKicked(const MdtKeaSystem *system);

@@ -29,6 +29,7 @@
  *     kea_residual.c          residuals and the test of convergence
  *     kea_energy.c            kinetic energy and its limit
  *     kea_restitution.c       the law of restitution
+ *     kea_impact_time.c       times of impact
  *     kea_impact.c            simultaneous impacts
  *     kea_project.c           position projection: removes overlaps
  *     kea_kick.c              impulses at the start of a step, transmitted by joints
@@ -154,6 +155,8 @@ typedef struct MdtKeaWork {
 
 /* MdtKeaInit for body i: computes pose, velocity, inverse mass and prediction from its state and loads. */
 void kea_beginBody(MdtKeaSystem *s, int i);
+/* Sets the inverse inertia, and the predicted angular velocity, to those of another orientation than the start's. */
+void kea_orientInertia(MdtKeaSystem *s, int i, const double quaternion[4]);
 /* MdtKeaIntegrate for body i: sets its state and acceleration from its end state. */
 void kea_commitBody(MdtKeaSystem *s, int i);
 
@@ -305,6 +308,13 @@ void kea_chooseMoveThetas(MdtKeaSystem *s);
 
 /* Copies the forces of contact rows to the manifolds' points. */
 void kea_returnContactForces(MdtKeaSystem *s);
+
+/* ---- kea_impact_time.c ---- */
+
+/* Of the load speed: an impact that is slower does not divide a step unless another one is faster. */
+double kea_minDividingSpeed(double restitution);
+/* s: the first t >= 0 at which gap + a t + b t²/2 becomes negative; HUGE_VAL: none. */
+double kea_timeOfImpact(double gap, double a, double b);
 
 /* ---- kea_restitution.c ---- */
 

@@ -77,7 +77,7 @@ LOOP_TEST(a_lift_carries_ten_boxes_and_stops, 0, SOLVERS) {
             universe_step(1);
             for (int j = 0; j < 10; j++) {
                 high = fmax(high, at(load[j], 2) - .25 - top);
-                ck_assert(at(load[j], 2) - .25 - top > -1e-5);
+                ck_assert_double_gt(at(load[j], 2) - .25 - top, -1e-5);
             }
         }
         assert_near(high, thrown, 1e-3 * thrown + 1e-5); /* a step samples the parabola's top to g h²/8 */

@@ -160,6 +160,8 @@ static void setSystem(MdtIsland *p) {
     p->kea.context = p;
     p->kea.parameters.accuracy = mdt_worldAccuracy(p->world, p->h, p->numJoints > 0);
     p->kea.parameters.restSpeed = mdt_worldCalmSpeed(p->world, p->h);
+    p->kea.parameters.followsContacts =
+        p->numMembers == 0 && p->numJoints == 0 && !p->bounces && p->numBodies <= p->world->timedBodies;
     MEASSERT(p->kea.parameters.accuracy >= 0 && p->kea.parameters.restSpeed > 0);
 }
 

@@ -382,3 +382,24 @@ void kea_contactArms(const MdtKeaSystem *s, const KeaContact *c, const double mo
     else
         turnArms(s, c, share, arm);
 }
+
+double kea_contactBend(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6]) {
+    double bend = 0;
+    for (int k = 0; k < 2; k++) {
+        MdtKeaTransformation memory;
+        double displacement[3], turn[3], start[3], end[3], straight[3];
+        if (!isOwner(c, k))
+            continue;
+        motionOf(s, c, k, move[k], displacement, turn);
+        pointOfOwner(s, c, k, move[k], 0, start);
+        pointOfOwner(s, c, k, move[k], 1, end);
+        keaSubtract(end, end, start);
+        keaAddScaled(end, -1, displacement);
+        keaSubtract(start, start, poseOf(s, c, k, &memory)->pos);
+        keaAddScaled(start, 0.5, end);
+        keaCross(straight, turn, start);
+        keaSubtract(end, end, straight);
+        bend += (k == 0 ? 1 : -1) * keaDot(c->normal, end);
+    }
+    return bend;
+}

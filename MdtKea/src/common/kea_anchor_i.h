@@ -44,6 +44,9 @@ void kea_contactChooseMotion(const MdtKeaSystem *s, KeaContact *c);
  * which the bodies move during the sub-step, not read for the world. Needs c->moves. */
 void kea_contactArms(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6], double share,
                      double arm[2][3]);
+/* m: by how much the gap grows in the sub-step beyond h times the rate of `move` with the mean lever arms: the path of
+ * the point of a rim is curved. */
+double kea_contactBend(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6]);
 /* kea_contactPlace, but at the position that collision detection found, in whatever sub-step. */
 void kea_contactPlaceAtStart(const MdtKeaSystem *s, KeaContact *c);
 

@@ -24,9 +24,8 @@ double kea_bodyExtent(const MdtKeaBody *body) {
     return sqrt(kea_maxOf(body->moments) * body->invMass);
 }
 
-/* Sets the velocity and angular momentum that the body would have at the end of the step without rows, and the angular
- * velocity of this momentum at the start pose. R: principal axes. */
-static void predictBody(MdtKeaSystem *s, int i, const double R[3][3]) {
+/* Sets the velocity and angular momentum that the body would have at the end of the step without rows. */
+static void predictBody(MdtKeaSystem *s, int i) {
     const MdtKeaBody *body = s->bodies[i];
     KeaBody *b = &s->work->body[i];
     const double h = s->parameters.stepsize;
@@ -34,7 +33,22 @@ static void predictBody(MdtKeaSystem *s, int i, const double R[3][3]) {
     b->locked = body->locked;
     integrateDamped(s->predicted[i].lin, body->velocity, body->force, body->invMass, body->damping[0], h);
     integrateDamped(b->freeMomentum, body->angularMomentum, body->torque, 1, body->damping[1], h);
-    kea_angularVelocityBy(body->moments, R, b->freeMomentum, s->predicted[i].ang);
+}
+
+/* Sets the inverse inertia to that with the principal axes R, and the predicted angular velocity to that of the
+ * predicted momentum with it. */
+static void setInertia(MdtKeaSystem *s, int i, const double R[3][3]) {
+    const MdtKeaBody *body = s->bodies[i];
+    kea_inverseInertiaBy(body->moments, R, s->invMass[i].inertia);
+    if (body->locked)
+        kea_dropLockedRotations(body->locked, s->invMass[i].inertia);
+    kea_angularVelocityBy(body->moments, R, s->work->body[i].freeMomentum, s->predicted[i].ang);
+}
+
+void kea_orientInertia(MdtKeaSystem *s, int i, const double quaternion[4]) {
+    double R[3][3];
+    kea_principalAxes(s->bodies[i], quaternion, R);
+    setInertia(s, i, (const double(*)[3])R);
 }
 
 void kea_beginBody(MdtKeaSystem *s, int i) {
@@ -46,10 +60,8 @@ void kea_beginBody(MdtKeaSystem *s, int i) {
     kea_principalAxes(body, body->quaternion, R);
     kea_angularVelocityBy(body->moments, axes, body->angularMomentum, s->velocity[i].ang);
     s->invMass[i].mass = body->invMass;
-    kea_inverseInertiaBy(body->moments, axes, s->invMass[i].inertia);
-    if (body->locked)
-        kea_dropLockedRotations(body->locked, s->invMass[i].inertia);
-    predictBody(s, i, axes);
+    predictBody(s, i);
+    setInertia(s, i, axes);
 }
 
 /* Stores the acceleration of the step in the body, and replaces `start`, the velocity at the start, by that at the

@@ -319,7 +319,8 @@ MeBool kea_impactsChatter(const MdtKeaSystem *s, const KeaEventScale *scale) {
             continue;
         const MeBool isTouching = kea_isTouching(s, row);
         const double rate = kea_startRate(s, i);
-        if (rate < -kea_minReboundSpeed * speed && (isTouching || row->error + s->parameters.stepsize * rate < 0))
+        if (rate < -kea_minDividingSpeed(row->restitution) * speed &&
+            (isTouching || row->error + s->parameters.stepsize * rate < 0))
             return MEFALSE;
         approaches = approaches ||
                      (isTouching && rate < -keaMax(kea_separatingSpeed, minImpactSpeedOf(row, scale->mass)) * speed);

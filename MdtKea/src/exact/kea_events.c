@@ -107,27 +107,16 @@ int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *s) {
 
 /* ---- impacts ---- */
 
-/* s: the first t >= 0 at which gap + a t + b t²/2 becomes negative; HUGE_VAL: none. */
-static double timeOfImpact(double gap, double a, double b) {
-    gap = keaMax(gap, 0);
-    const double root = a * a - 2 * b * gap;
-    if (root < 0)
-        return HUGE_VAL;
-    if (a < 0)
-        return 2 * gap / (-a + sqrt(root));
-    return b < 0 ? (a + sqrt(root)) / -b : HUGE_VAL;
-}
-
 typedef struct Impact {
-    double time, speed; /* s into the step, HUGE_VAL: none; approach velocity, m/s */
+    double time, speed; /* s into the step, HUGE_VAL: none; m/s, over the share of the load speed that divides a step */
 } Impact;
 
 /* The impact of the contact with normal row i, whose rate changes linearly to endRate within the step. */
 static Impact impactOf(const MdtKeaSystem *s, int i, double endRate) {
     const MdtKeaRow *row = &s->rows[i];
     const double a = kea_startRate(s, i), b = (endRate - row->drift - a) / s->parameters.stepsize;
-    const double time = timeOfImpact(row->error, a, b);
-    return (Impact){time, time < HUGE_VAL ? -(a + b * time) : 0};
+    const double time = kea_timeOfImpact(row->error, a, b);
+    return (Impact){time, time < HUGE_VAL ? -(a + b * time) / kea_minDividingSpeed(row->restitution) : 0};
 }
 
 /* ---- slow contacts, closed from the start instead ---- */
@@ -136,8 +125,7 @@ static Impact impactOf(const MdtKeaSystem *s, int i, double endRate) {
  * With holdsSlow, it then acts from the start of the step instead. */
 static MeBool closesSlowly(const MdtKeaSystem *s, int i, double endRate) {
     const Impact m = impactOf(s, i, endRate);
-    return s->parameters.holdsSlow && m.time < s->parameters.stepsize &&
-           m.speed <= kea_minReboundSpeed * kea_eventSpeed(s);
+    return s->parameters.holdsSlow && m.time < s->parameters.stepsize && m.speed <= kea_eventSpeed(s);
 }
 
 void kea_markOpenContacts(MdtKeaSystem *s) {
@@ -263,7 +251,7 @@ double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat) {
     const Impact impact = firstImpact(s);
     const double stop = firstEndOfSliding(s);
     MEASSERT(!(impact.time < 0) && !(stop < 0));
-    s->report.trembles = impact.time < s->parameters.stepsize && impact.speed <= kea_minReboundSpeed * speed;
+    s->report.trembles = impact.time < s->parameters.stepsize && impact.speed <= speed;
     return keaMin(impact.time, stop);
 }
 

@@ -442,6 +442,61 @@ static void setEndMomenta(Step *p) {
     kea_visitRegions(&p->regions, setEndMomentaOfNode, p);
 }
 
+/* ---- contacts that move in the step ---- */
+
+static void renewArmsOf(void *context, KeaNode *node) {
+    const Step *p = context;
+    const KeaGathering from = gathering(p);
+    node->sum[0] = kea_renewArms(&from, p->groups + node->firstGroup, node->numGroups);
+}
+
+/* Sets the inertia of a region's bodies to that of their orientation at the end. */
+static void turnInertiaOf(void *context, KeaNode *node) {
+    const Step *p = context;
+    for (int place = node->firstPlace; place < node->firstPlace + node->numPlaces; place++) {
+        const int i = p->regions.body[place];
+        const MdtKeaBody *body = p->s->bodies[i];
+        double L[3], end[4];
+        keaScale(L, 0.5, body->angularMomentum);
+        keaAddScaled(L, 0.5, p->s->work->end[i].angularMomentum);
+        kea_rotateFree(body, body->quaternion, L, p->s->parameters.stepsize, end);
+        kea_orientInertia(p->s, i, end);
+    }
+}
+
+static void prepareAgain(void *context, KeaNode *node) {
+    const Step *p = context;
+    const KeaGathering from = gathering(p);
+    KeaGroup *groups = p->groups + node->firstGroup;
+    kea_renewInertia(&from, groups, node->numGroups);
+    p->kernel->prepare(groups, node->numGroups, (float)p->s->parameters.stepsize);
+}
+
+/* The largest node->sum[0] of all nodes. */
+static double maxOverNodes(const KeaRegions *r) {
+    double max = 0;
+    for (int n = 1; n < 2 * r->count; n++)
+        max = keaMax(max, r->node[n].sum[0]);
+    return max;
+}
+
+/* Passes again with the lever arms of the motion that the last passes have found, until they do not change, and with
+ * the inertia at the end, by which the angular velocity there follows from the momentum. */
+static void followContacts(Step *p) {
+    for (int round = 0; round < KEA_ARM_ROUNDS; round++) {
+        kea_visitNodes(&p->regions, renewArmsOf, p);
+        if (maxOverNodes(&p->regions) <= p->s->parameters.accuracy)
+            return;
+        setEndMomenta(p);
+        kea_visitRegions(&p->regions, turnInertiaOf, p);
+        kea_visitNodes(&p->regions, prepareAgain, p);
+        setMotions(p);
+        applyImpulses(p);
+        kea_visitRegions(&p->regions, saveMotions, p);
+        findVelocities(p);
+    }
+}
+
 /* ---- energy guard ---- */
 
 /* Computes the change of a region's kinetic energy by the impulses, J, and its kinetic energy with the loads only; both
@@ -841,6 +896,8 @@ void kea_fastSolve(MdtKeaSystem *s) {
     applyImpulses(&p);
     kea_visitRegions(&p.regions, saveMotions, &p);
     findVelocities(&p);
+    if (s->parameters.followsContacts)
+        followContacts(&p);
     setEndMomenta(&p);
     guardEnergy(&p);
     kea_jointsRemoveStiffness(s, &p.joints);

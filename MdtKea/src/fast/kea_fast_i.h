@@ -41,6 +41,7 @@ typedef struct KeaMotion {
 typedef struct KeaPatch {
     double centre[3], across[3], x[KEA_POINTS], y[KEA_POINTS]; /* m; across: t2 */
     double arm[2][3]; /* m, lever arms from the bodies' centres to the centre, in the mean of the step */
+    double added[3];  /* m/s, the rates at the end less those with these arms */
 } KeaPatch;
 
 /* Of a system with locked axes, by body: 1 along free translations, 0 along locked ones. */
@@ -62,6 +63,7 @@ typedef struct KeaGroup {
     KeaLanes invMass[2], invInertia[2][6];
     KeaLanes x[KEA_POINTS], y[KEA_POINTS]; /* m */
     KeaLanes size;                         /* m, of the smaller body */
+    KeaLanes pressed;                      /* m, by how much the mean motion may press it deeper */
     KeaLanes gap[KEA_POINTS];              /* m; negative: overlap */
     KeaLanes slop[KEA_POINTS];             /* m, overlap that is not corrected: sag by epsilon, and rounding */
     KeaLanes bias[KEA_POINTS];             /* m/s, the lower bound of normal velocities */
@@ -155,6 +157,10 @@ typedef struct KeaGathering {
 /* Fills groups from the manifolds chosen for their lanes. A moving world has a motion of its own for each manifold,
  * behind those of the bodies, and displacement 0. */
 void kea_fillGroups(const KeaGathering *from, KeaGroup groups[], int count);
+/* Sets lever arms anew for the motion that passes have found. Returns by how much rates have changed, m/s. */
+double kea_renewArms(const KeaGathering *from, KeaGroup groups[], int count);
+/* Sets inertia anew, after a change of invMass. The kernel then has to prepare. */
+void kea_renewInertia(const KeaGathering *from, KeaGroup groups[], int count);
 /* Adds the changes of momenta by the groups' impulses, N s and N m s, to `change`, by place. */
 void kea_addImpulses(const KeaGathering *from, const KeaGroup groups[], int count, double (*change)[6]);
 /* J: the work that moving worlds and surfaces, and the correction of overlaps of soft contacts, do by the groups'

@@ -80,19 +80,20 @@ static void fillLocks(int locked, int k, KeaLocks *locks, int lane) {
     locks->free[k].z[lane] = locked & 4 ? 0 : 1;
 }
 
-static void fillBody(const MdtKeaSystem *s, const int place[], const MdtKeaManifold *m, const KeaPatch *p, int k,
-                     KeaGroup *g, int lane) {
+static void fillBody(const MdtKeaSystem *s, const int place[], const MdtKeaManifold *m, int k, KeaGroup *g, int lane) {
     const int body = m->body[k];
     MEASSERT(body < s->numBodies);
-    const MdtKeaInverseMassMatrix *mass = body >= 0 ? &s->invMass[body] : NULL;
-    setLane3(&g->arm[k], lane, p->arm[k]);
     g->body[k][lane] = body >= 0 ? 1 + place[body] : 0;
+    if (g->locks)
+        fillLocks(body >= 0 ? s->bodies[body]->locked : 0, k, g->locks, lane);
+}
+
+static void fillInertia(const MdtKeaSystem *s, const MdtKeaManifold *m, int k, KeaGroup *g, int lane) {
+    const MdtKeaInverseMassMatrix *mass = m->body[k] >= 0 ? &s->invMass[m->body[k]] : NULL;
     g->invMass[k][lane] = mass ? (float)mass->mass : 0;
     for (int i = 0, at = 0; i < 3; i++)
         for (int j = i; j < 3; j++, at++)
             g->invInertia[k][at][lane] = mass ? (float)mass->inertia[i][j] : 0;
-    if (g->locks)
-        fillLocks(body >= 0 ? s->bodies[body]->locked : 0, k, g->locks, lane);
 }
 
 static double softnessOf(const MdtKeaSystem *s, const MdtKeaManifold *m) {
@@ -119,11 +120,18 @@ static KeaApproach approachOf(const MdtKeaSystem *s, const MdtKeaManifold *m, co
 /* m: the lower bound of the point's displacement along the normal in the step. A gap may close. A gap below the resting
  * depth at a point that has carried a load counts as closed: it is due to a tilt of the face, and targets of its points
  * would contradict each other otherwise. */
-static double minDisplacement(const MdtKeaSystem *s, const MdtKeaPoint *point, double size, MeBool isSoft) {
+static double minDisplacement(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *point, double size,
+                              MeBool isSoft) {
     const double resting = point->guess[0] > 0 ? kea_restingDepth * size : 0;
     if (point->depth >= 0)
         return isSoft ? s->parameters.gamma * point->depth : 0;
-    return keaMin(point->depth + resting, 0);
+    if (s->parameters.collidesAtStart && point->depth > -kea_nearbyGap * size)
+        return 0;
+    if (s->parameters.collidesAtEnd && !(point->guess[0] > 0))
+        return -HUGE_VAL;
+    const double start = s->parameters.followsContacts ? s->parameters.stepsize * approachOf(s, m, point).rate : 0;
+    const double mean = 2 * point->depth - start; /* where the mean motion closes the gap */
+    return keaMin(keaMin(point->depth, start < 0 ? mean : 0) + resting, 0);
 }
 
 /* Whether locked axes leave the point no rows (MdtKeaCountContactRows). */
@@ -143,7 +151,7 @@ static void fillPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaP
     g->y[k][lane] = (float)p->y[k];
     g->gap[k][lane] = (float)-point->depth;
     g->slop[k][lane] = (float)(slop + kea_restingDepth * size);
-    g->bias[k][lane] = (float)(minDisplacement(s, point, size, soft) / h);
+    g->bias[k][lane] = (float)keaMax(minDisplacement(s, m, point, size, soft) / h, -kea_maxBound);
     g->lever[k][lane] = (float)sqrt(along * along + p->y[k] * p->y[k]);
     g->impulse[k][lane] = isLocked(s, point) ? 0 : (float)(h * keaMax(point->guess[0], -m->surface.adhesion));
 }
@@ -246,45 +254,68 @@ static MeBool isOnVertices(const MdtKeaManifold *m, int k) {
     return isLoaded ? areLoaded : areAll;
 }
 
-/* Sets the lever arms of a manifold. Impulses act with the mean of the arms at the start and at the end of the step;
- * otherwise bodies that rotate together would gain angular momentum. The contact laws hold for the rates at the end.
- * Their difference from the rates with the mean arms is predicted by the velocities at the start: `added` :=
- * Σ ± w_k x (arm_k⁺ - arm_k). */
-static void setArms(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaPatch *p, double added[3]) {
-    MdtKeaPoint centre = m->point[0];
-    KeaContact c = {.manifold = m, .at = &centre};
-    double end[2][3], move[2][6];
-    keaCopy(centre.position, p->centre);
-    keaZero(added);
-    MdtKeaTransformation memory;
-    for (int k = 0; k < 2; k++)
-        keaSubtract(p->arm[k], p->centre, kea_sidePose(s, m, k, &memory)->pos);
-    if (!doArmsRotate(s, m, p))
-        return;
-    for (int k = 0; k < 2; k++)
-        centre.isVertex[k] = isOnVertices(m, k);
-    kea_contactPlaceAtStart(s, &c);
-    kea_contactChooseMotion(s, &c);
-    if (!c.moves)
-        return;
-    for (int k = 0; k < 2; k++)
-        predictMove(s, m, k, move[k]);
-    kea_contactArms(s, &c, (const double(*)[6])move, 0.5, p->arm);
-    kea_contactArms(s, &c, (const double(*)[6])move, 1, end);
+/* Velocities of the sides of a contact: the mean of the step, with which they move, and the angular one at its end. */
+typedef struct SideMotions {
+    double mean[2][6], spin[2][3];
+} SideMotions;
+
+/* Before the passes: predicted ones, and the spin of the start. */
+static void predictMotions(const MdtKeaSystem *s, const MdtKeaManifold *m, SideMotions *sides) {
     for (int k = 0; k < 2; k++) {
-        double remainder[3], rate[3];
-        keaSubtract(remainder, end[k], p->arm[k]);
-        keaCross(rate, kea_sideVelocity(s, m, k)->ang, remainder);
-        keaAddScaled(added, k == 0 ? 1 : -1, rate);
+        predictMove(s, m, k, sides->mean[k]);
+        keaCopy(sides->spin[k], kea_sideVelocity(s, m, k)->ang);
     }
 }
 
-/* Subtracts `added` from the targets, which are those of the rates with the mean arms. */
-static void subtractArmRates(const MdtKeaManifold *m, const KeaPatch *p, const double added[3], KeaGroup *g, int lane) {
-    g->slide[0][lane] -= (float)keaDot(added, m->direction);
-    g->slide[1][lane] -= (float)keaDot(added, p->across);
+/* The lever arms of a manifold. Impulses act with the mean of the arms at the start and at the end of the step;
+ * otherwise bodies that rotate together would gain angular momentum. The contact laws hold for the rates at the end.
+ * Their difference from the rates with the mean arms is added := Σ ± w_k x (arm_k⁺ - arm_k), w the spin at the end. */
+static void moveArms(const MdtKeaSystem *s, KeaContact *c, const SideMotions *sides, KeaPatch *p) {
+    double end[2][3];
+    kea_contactArms(s, c, sides->mean, 0.5, p->arm);
+    kea_contactArms(s, c, sides->mean, 1, end);
+    for (int k = 0; k < 2; k++) {
+        double remainder[3], rate[3];
+        keaSubtract(remainder, end[k], p->arm[k]);
+        keaCross(rate, sides->spin[k], remainder);
+        keaAddScaled(p->added, k == 0 ? 1 : -1, rate);
+    }
+}
+
+/* The contact at the centre of a manifold. False: its lever arms do not change in the step. */
+static MeBool placeCentre(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaPatch *p, MdtKeaPoint *centre,
+                          KeaContact *c) {
+    *centre = m->point[0];
+    *c = (KeaContact){.manifold = m, .at = centre};
+    keaCopy(centre->position, p->centre);
+    for (int k = 0; k < 2; k++)
+        centre->isVertex[k] = isOnVertices(m, k);
+    kea_contactPlaceAtStart(s, c);
+    kea_contactChooseMotion(s, c);
+    return c->moves;
+}
+
+static void setArms(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaPatch *p) {
+    MdtKeaTransformation memory;
+    MdtKeaPoint centre;
+    KeaContact c;
+    SideMotions sides;
+    keaZero(p->added);
+    for (int k = 0; k < 2; k++)
+        keaSubtract(p->arm[k], p->centre, kea_sidePose(s, m, k, &memory)->pos);
+    if (!doArmsRotate(s, m, p) || !placeCentre(s, m, p, &centre, &c))
+        return;
+    predictMotions(s, m, &sides);
+    moveArms(s, &c, &sides, p);
+}
+
+/* Subtracts `share` of `added` from the targets, which are those of the rates with the mean arms. */
+static void subtractArmRates(const MdtKeaManifold *m, const KeaPatch *p, double share, KeaGroup *g, int lane) {
+    const double *added = p->added;
+    g->slide[0][lane] -= (float)(share * keaDot(added, m->direction));
+    g->slide[1][lane] -= (float)(share * keaDot(added, p->across));
     for (int k = 0; k < m->numPoints; k++)
-        g->bias[k][lane] -= (float)keaDot(added, m->normal);
+        g->bias[k][lane] -= (float)(share * keaDot(added, m->normal));
 }
 
 static void fillLane(const KeaGathering *from, int manifold, float correction, KeaGroup *g, int lane) {
@@ -292,15 +323,18 @@ static void fillLane(const KeaGathering *from, int manifold, float correction, K
     const MdtKeaManifold *m = &s->manifolds[manifold];
     KeaPatch *p = &from->patch[manifold];
     const double size = kea_smallerExtent(s, m->body);
-    double added[3];
     setPatch(m, p);
-    setArms(s, m, p, added);
+    setArms(s, m, p);
     setLane3(&g->normal, lane, m->normal);
     setLane3(&g->along, lane, m->direction);
-    for (int k = 0; k < 2; k++)
-        fillBody(s, from->place, m, p, k, g, lane);
+    for (int k = 0; k < 2; k++) {
+        fillBody(s, from->place, m, k, g, lane);
+        fillInertia(s, m, k, g, lane);
+        setLane3(&g->arm[k], lane, p->arm[k]);
+    }
     const MeBool soft = isSoft(s, m);
     g->size[lane] = (float)size;
+    g->pressed[lane] = (float)(kea_pressedDepth * size);
     g->compliance[lane] = soft ? (float)softnessOf(s, m) : 0;
     g->correction[lane] = soft ? 0 : correction;
     g->min[lane] = -clampBound(s->parameters.stepsize * m->surface.adhesion);
@@ -310,7 +344,73 @@ static void fillLane(const KeaGathering *from, int manifold, float correction, K
     fillRebounds(s, m, g, lane);
     fillBounds(s, m, g, lane);
     fillFriction(s, m, p, g, lane);
-    subtractArmRates(m, p, added, g, lane);
+    subtractArmRates(m, p, 1, g, lane);
+}
+
+/* After passes: the motion that they have found. */
+static void findMotions(const KeaGathering *from, const MdtKeaManifold *m, const KeaGroup *g, int lane,
+                        SideMotions *sides) {
+    for (int k = 0; k < 2; k++) {
+        const MdtKeaVelocity *start = kea_sideVelocity(from->s, m, k);
+        const KeaMotion *end = &from->motion[g->body[k][lane]];
+        for (int i = 0; i < 3; i++) {
+            sides->mean[k][i] = 0.5 * (start->lin[i] + (double)end->lin[i]);
+            sides->mean[k][3 + i] = 0.5 * (start->ang[i] + (double)end->ang[i]);
+            sides->spin[k][i] = (double)end->ang[i];
+        }
+    }
+}
+
+/* m/s: the change of the rates by new lever arms. */
+static double changeOfRates(const KeaPatch *p, const KeaPatch *before, const SideMotions *sides) {
+    double change[3];
+    keaSubtract(change, p->added, before->added);
+    for (int k = 0; k < 2; k++) {
+        double moved[3], rate[3];
+        keaSubtract(moved, p->arm[k], before->arm[k]);
+        keaCross(rate, sides->spin[k], moved);
+        keaAddScaled(change, k == 0 ? 1 : -1, rate);
+    }
+    return keaLength(change);
+}
+
+static double renewArmsOfLane(const KeaGathering *from, KeaGroup *g, int lane) {
+    const MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];
+    KeaPatch *p = &from->patch[g->manifold[lane]], before = *p;
+    MdtKeaPoint centre;
+    KeaContact c;
+    SideMotions sides;
+    findMotions(from, m, g, lane, &sides);
+    if (!placeCentre(from->s, m, p, &centre, &c) || !c.rolls)
+        return 0;
+    subtractArmRates(m, p, -1, g, lane);
+    keaZero(p->added);
+    moveArms(from->s, &c, &sides, p);
+    subtractArmRates(m, p, 1, g, lane);
+    const double bend = kea_contactBend(from->s, &c, (const double(*)[6])sides.mean);
+    const double ofPath = c.circle[0] > 0 || c.circle[1] > 0 ? kea_nearbyGap : kea_pressedDepth;
+    g->pressed[lane] = (float)(ofPath * (double)g->size[lane] + keaMax(centre.depth, 0));
+    for (int k = 0; k < m->numPoints; k++)
+        g->gap[k][lane] = (float)(bend - m->point[k].depth);
+    for (int k = 0; k < 2; k++)
+        setLane3(&g->arm[k], lane, p->arm[k]);
+    return changeOfRates(p, &before, &sides);
+}
+
+double kea_renewArms(const KeaGathering *from, KeaGroup groups[], int count) {
+    double change = 0;
+    for (int i = 0; i < count; i++)
+        for (int lane = 0; lane < KEA_LANES; lane++)
+            if (groups[i].manifold[lane] >= 0)
+                change = keaMax(change, renewArmsOfLane(from, &groups[i], lane));
+    return change;
+}
+
+void kea_renewInertia(const KeaGathering *from, KeaGroup groups[], int count) {
+    for (int i = 0; i < count; i++)
+        for (int lane = 0; lane < KEA_LANES; lane++)
+            for (int k = 0; k < 2 && groups[i].manifold[lane] >= 0; k++)
+                fillInertia(from->s, &from->s->manifolds[groups[i].manifold[lane]], k, &groups[i], lane);
 }
 
 static void setWorldMotion(const MdtKeaVelocity *velocity, KeaMotion *world) {

@@ -621,7 +621,7 @@ static MeBool choosePressed(const KeaGroup groups[], int count, const KeaMotion 
         for (int k = 0; k < KEA_POINTS; k++) {
             const KeaLanes atEnd = g->gap[k] + stepsize * pointRate(g, k, end.u);
             const KeaLanes atMove = g->gap[k] + stepsize * pointRate(g, k, moved.u);
-            isPressed |= g->isPoint[k] & (atMove < lanesMin(atEnd, lanesOf(0)) - (float)kea_pressedDepth * g->size);
+            isPressed |= g->isPoint[k] & (atMove < lanesMin(atEnd, lanesOf(0)) - g->pressed);
         }
         for (int lane = 0; lane < KEA_LANES && !lanesAreAll(~isPressed); lane++)
             if (isPressed[lane])

@@ -1,0 +1,65 @@
+/* When contacts that are open will close: the times at which a step is divided. */
+#include "common/kea_anchor_i.h"
+#include "common/kea_policy_i.h"
+#include "kea_i.h"
+
+double kea_minDividingSpeed(double restitution) {
+    return restitution > 0 ? kea_minReboundSpeed : kea_minPlasticSpeed;
+}
+
+double kea_timeOfImpact(double gap, double a, double b) {
+    gap = keaMax(gap, 0);
+    const double root = a * a - 2 * b * gap;
+    if (root < 0)
+        return HUGE_VAL;
+    if (a < 0)
+        return 2 * gap / (-a + sqrt(root));
+    return b < 0 ? (a + sqrt(root)) / -b : HUGE_VAL;
+}
+
+/* m/s²: the acceleration of a gap in the last step. The point is one of the body, which turns with it; the farthest
+ * point of a rim stays where it is. */
+static double accelerationOf(const MdtKeaSystem *s, const MdtKeaManifold *m, const KeaApproach *a,
+                             const double arm[2][3]) {
+    const MeBool isRim = m->rim[0] > 0 || m->rim[1] > 0;
+    double along = isRim ? 0 : a->acceleration;
+    for (int k = 0; k < 2; k++) {
+        const double side = k == 0 ? 1 : -1, *spin = kea_sideVelocity(s, m, k)->ang;
+        double once[3], inward[3];
+        keaCross(once, spin, arm[k]);
+        keaCross(inward, spin, once);
+        if (!isRim)
+            along += side * keaDot(inward, m->normal);
+        else if (m->body[k] >= 0)
+            along += side * keaDot(s->bodies[m->body[k]]->lastStep.lin, m->normal);
+    }
+    return along;
+}
+
+/* s: the time of the impact of a point with a gap, under the acceleration of the last step, or that of the loads if it
+ * was a jerk; HUGE_VAL: none that is faster than minSpeed. */
+static double timeOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *point, double minSpeed) {
+    const double h = s->parameters.stepsize, touching = point->guess[0] > 0 ? kea_nearbyGap : kea_touchingGap;
+    double arm[2][3];
+    if (!(-point->depth > touching * kea_smallerExtent(s, m->body)))
+        return HUGE_VAL;
+    for (int k = 0; k < 2; k++) {
+        MdtKeaTransformation memory;
+        keaSubtract(arm[k], point->position, kea_sidePose(s, m, k, &memory)->pos);
+    }
+    const KeaApproach a = kea_approachOfPoint(s, m, (const double(*)[3])arm);
+    double acceleration = accelerationOf(s, m, &a, (const double(*)[3])arm);
+    if (0.5 * h * fabs(acceleration) > fabs(a.rate) + kea_loadSpeed(s))
+        acceleration = (a.predicted - a.rate) / h;
+    const double time = kea_timeOfImpact(-point->depth, a.rate, acceleration);
+    return a.rate + acceleration * time < -minSpeed ? time : HUGE_VAL;
+}
+
+double MEAPI MdtKeaTimeOfImpact(const MdtKeaSystem *s) {
+    const double minSpeed = kea_minPlasticSpeed * kea_eventSpeed(s);
+    double first = s->parameters.stepsize;
+    for (int i = 0; i < s->numManifolds; i++)
+        for (int k = 0; k < s->manifolds[i].numPoints; k++)
+            first = keaMin(first, timeOfPoint(s, &s->manifolds[i], &s->manifolds[i].point[k], minSpeed));
+    return first;
+}
