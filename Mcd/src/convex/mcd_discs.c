@@ -92,8 +92,7 @@ static void makeFlatRim(const McdShape *s, double x, double y, double across, do
     }
 }
 
-/* The face of a disc in the direction d (own axes), counter-clockwise seen from the side of z = side. */
-static void makeDiscFace(const McdShape *s, const double d[3], double radius, double height, double side, McdFace *f) {
+void mcd_discFace(const McdShape *s, const double d[3], double radius, double height, double side, McdFace *f) {
     const double across = sqrt(d[0] * d[0] + d[1] * d[1]), x = across > 0 ? d[0] / across : 1,
                  y = across > 0 ? side * d[1] / across : 0;
     mcd_shapeDirection(s, 0, 0, side, f->normal);
@@ -127,9 +126,9 @@ void mcd_discsFace(const McdShape *s, const double direction[3], McdFace *f) {
     const double across = sqrt(d[0] * d[0] + d[1] * d[1]);
     const double side = (across * (height[1] - height[0]) + d[2] * (radius[0] - radius[1])) / slantOf(&discs);
     if (d[2] > side && radius[1] > 0)
-        makeDiscFace(s, d, radius[1], height[1], 1, f);
+        mcd_discFace(s, d, radius[1], height[1], 1, f);
     else if (-d[2] > side && radius[0] > 0)
-        makeDiscFace(s, d, radius[0], height[0], -1, f);
+        mcd_discFace(s, d, radius[0], height[0], -1, f);
     else
         makeSideLine(s, d, &discs, f);
 }

@@ -93,6 +93,9 @@ void mcd_pointFace(const McdShape *s, const double direction[3], McdFace *f);
 void mcd_discsShape(McdShape *s, double lowerRadius, double upperRadius, double length, double low);
 void mcd_discsSupport(const McdShape *s, const double direction[3], double point[3]);
 void mcd_discsFace(const McdShape *s, const double direction[3], McdFace *f);
+/* The face of a disc about the shape's z axis, in a direction d of own axes, counter-clockwise seen from the side of
+ * z = side. */
+void mcd_discFace(const McdShape *s, const double d[3], double radius, double height, double side, McdFace *f);
 double mcd_discsRadius(const McdShape *s, const double outward[3], const double point[3]);
 double mcd_discsRim(const McdShape *s, const double outward[3], const double point[3]);
 

@@ -162,14 +162,24 @@ static MeBool makeAxis(const McdFace *line, Inner *inner) {
     return inner->radius > 0;
 }
 
+/* Whether the surface has the line along its length in the direction `out`, not at its end alone. */
+static MeBool isLineToward(const McdFace *face, const double out[3]) {
+    static const double across = .9987502603949663; /* cos(.05) */
+    return face->count == 2 && mcd_dot(face->normal, out) > across;
+}
+
 /* Makes it where the outward normal is `out`. False: there is none. */
 static MeBool makeInner(const McdShape *s, const double out[3], Inner *inner) {
     McdFace face;
     inner->core = (McdShape){.kind = &pointKind, .extent = s->extent, .axis = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     mcd_faceToward(s, out, &face);
-    if (face.count == 2)
-        return makeAxis(&face, inner);
-    inner->radius = face.count == 1 && face.isDisc ? meanRadius(s, out) : 0;
+    if (isLineToward(&face, out)) {
+        double normal[3];
+        mcd_copy(normal, face.normal);
+        mcd_faceToward(s, normal, &face); /* its ends where their rounding begins */
+        return face.count == 2 && makeAxis(&face, inner);
+    }
+    inner->radius = face.count <= 2 ? meanRadius(s, out) : 0;
     return inner->radius > 0;
 }
 

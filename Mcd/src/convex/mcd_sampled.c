@@ -1,35 +1,22 @@
-/* Convex shapes that are known by their support function alone: their faces, lines and curvature, by sampling.
+/* Convex shapes that are known by their support function alone: their faces, lines and curvature.
  *
- * The support point s(n) in a direction n is constant while n stays within the normal cone of a vertex, and jumps
- * where n crosses the normal of a flat face or of a straight line of the surface. So support points in directions on a
- * narrow cone about n tell which of these is near: where the cone is made narrower,
+ * A contact takes the face or the line of the surface whose normal is nearest to its direction, at any tilt, as
+ * built-in shapes do. Faces are known since the shape's creation (mcd_features.c). Of the lines of round sides some are
+ * known; from the nearest of these Newton's method goes to the line whose normal is nearest.
  *
- *   the points around the normal of a flat face stay as far apart as the face is wide, in two dimensions;
- *   those around the normal of a line stay apart along the line, and come together across it;
- *   those of a surface that is curved in both directions come together.
- *
- * The plane through three of the points has the face's normal if the whole shape is below it; else it is a better
- * direction than the last one, and the cone is made narrower. So a face is found exactly, whatever its border is like,
- * and also if the direction is tilted against it. */
+ * If not all of the surface consists of flat faces, a face or a line counts only where the support point in the
+ * direction lies on its border, or on a rounding of the border. Elsewhere there is the support point alone. */
 #include "convex/mcd_sampled_i.h"
 #include <string.h>
 
-enum { AROUND = 8, RIM = 16, ROUNDS = 9 };
-
-/* Tangent of the cone's first angle: up to this tilt a face is found (as a disc's: mcd_discs.c). */
+/* Tangent of the angle up to which a line touches along its length; beyond, with its end. */
 static const double wide = .05;
-/* The cone is made narrower by this factor in each round. Points that come together by more than the square root of it
- * are on a curved surface, others on a face with a rounded border. */
-static const double narrower = .25;
-/* Tangent of the angle in which corners of a face are collected, m per m that these are below the face. */
-static const double beside = 1e-5;
 /* Tangent for differences of support points: the radius of curvature is exact to its square. */
 static const double difference = 1e-3;
 
 /* ---- support points ---------------------------------------------------------------------------------------------- */
 
-/* Brackets calls of the program's function, one or many. */
-static MeProgramCall enterProgram(void) {
+MeProgramCall mcd_sampledEnter(void) {
     return MeProgramEnterQuiet("McdFrameworkRegisterConvexType");
 }
 
@@ -48,8 +35,7 @@ static void warnOfPoint(const McdSampled *s) {
             s->type->name);
 }
 
-/* mcd_sampledCall within enterProgram. */
-static void callSupport(const McdSampled *s, const double direction[3], double point[3]) {
+void mcd_sampledPoint(const McdSampled *s, const double direction[3], double point[3]) {
     mcd_set(point, NAN, NAN, NAN);
     s->type->functions.support(s->data, direction, point);
     if (s->extent == INFINITY) /* it is being measured */
@@ -64,17 +50,16 @@ static void callSupport(const McdSampled *s, const double direction[3], double p
 }
 
 void mcd_sampledCall(const McdSampled *s, const double direction[3], double point[3]) {
-    const MeProgramCall before = enterProgram();
-    callSupport(s, direction, point);
+    const MeProgramCall before = mcd_sampledEnter();
+    mcd_sampledPoint(s, direction, point);
     MeProgramLeave(&before);
 }
 
-/* The support point in the direction n + k along, n and along of length 1 and orthogonal. */
-static void supportBeside(const McdSampled *s, const double n[3], double k, const double along[3], double point[3]) {
+void mcd_sampledBeside(const McdSampled *s, const double n[3], double k, const double along[3], double point[3]) {
     double d[3];
     mcd_mad(d, n, k, along);
     mcd_scale(d, d, 1 / mcd_length(d));
-    callSupport(s, d, point);
+    mcd_sampledPoint(s, d, point);
 }
 
 /* A direction in the shape's own frame, of length 1; z for one without length. */
@@ -94,18 +79,19 @@ void mcd_sampledSupport(const McdShape *s, const double direction[3], double poi
     mcd_shapePoint(s, at[0], at[1], at[2], point);
 }
 
-/* ---- a cone of directions ---------------------------------------------------------------------------------------- */
+double mcd_sampledHeight(const McdSampled *s, const double normal[3], const double point[3]) {
+    double farthest[3];
+    mcd_sampledPoint(s, normal, farthest);
+    return mcd_heightOver(farthest, point, normal);
+}
 
-/* Support points around a direction. */
-typedef struct Ring {
-    int count;
-    double u[3], w[3]; /* across the direction */
-    double point[RIM][3];
-} Ring;
+MeBool mcd_sampledEqual(const McdSampled *s, const double a[3], const double b[3]) {
+    const double same = 4 * mcd_slack * s->extent;
+    return mcd_distanceSquared(a, b) <= same * same;
+}
 
 /* Directions of the ring lie between the axes, along which corners of a box are equally far. */
-static const double firstAngle = .2;
-static const double turn[RIM][2] = {
+static const double turn[MCD_RING][2] = {
     {0.98006657784124163, 0.19866933079506122},   {0.82943599035157356, 0.55860177041386505},
     {0.55253129218685415, 0.83349215422481648},   {0.19150871349532253, 0.9814909131802324},
     {-0.19866933079506111, 0.98006657784124163},  {-0.55860177041386516, 0.82943599035157345},
@@ -115,144 +101,22 @@ static const double turn[RIM][2] = {
     {0.19866933079506122, -0.98006657784124163},  {0.55860177041386549, -0.82943599035157323},
     {0.83349215422481648, -0.55253129218685415},  {0.98149091318023229, -0.19150871349532292}};
 
-static void sampleRing(const McdSampled *s, const double n[3], double tilt, int count, Ring *ring) {
-    ring->count = count;
-    mcd_basis(n, ring->u, ring->w);
+void mcd_sampledRing(const McdSampled *s, const double n[3], double k, int count, double point[][3]) {
+    double u[3], w[3];
+    mcd_basis(n, u, w);
     for (int i = 0; i < count; i++) {
-        const double *to = turn[i * (RIM / count)];
+        const double *to = turn[i * (MCD_RING / count)];
         double along[3];
-        mcd_scale(along, ring->u, to[0]);
-        mcd_mad(along, along, to[1], ring->w);
-        supportBeside(s, n, tilt, along, ring->point[i]);
+        mcd_scale(along, u, to[0]);
+        mcd_mad(along, along, to[1], w);
+        mcd_sampledBeside(s, n, k, along, point[i]);
     }
-}
-
-static int farthestFrom(const Ring *ring, const double point[3]) {
-    int best = 0;
-    for (int i = 1; i < ring->count; i++)
-        if (mcd_distanceSquared(ring->point[i], point) > mcd_distanceSquared(ring->point[best], point))
-            best = i;
-    return best;
-}
-
-/* The two points that are far apart, and the one farthest from the line through them, seen along n. */
-typedef struct Spread {
-    const double *end[2], *aside;
-    double length, width; /* m */
-} Spread;
-
-static Spread spreadOf(const Ring *ring, const double n[3]) {
-    Spread spread;
-    double line[3], normal[3];
-    spread.end[0] = ring->point[farthestFrom(ring, ring->point[0])];
-    spread.end[1] = spread.aside = ring->point[farthestFrom(ring, spread.end[0])];
-    mcd_sub(line, spread.end[1], spread.end[0]);
-    spread.length = mcd_length(line);
-    spread.width = 0;
-    mcd_cross(normal, n, line);
-    for (int i = 0; i < ring->count && spread.length > 0; i++) {
-        const double width = fabs(mcd_heightOver(ring->point[i], spread.end[0], normal)) / spread.length;
-        if (width <= spread.width)
-            continue;
-        spread.width = width;
-        spread.aside = ring->point[i];
-    }
-    return spread;
-}
-
-/* ---- flat faces -------------------------------------------------------------------------------------------------- */
-
-/* The unit normal of the plane through the three points, on n's side; false: it is steep. */
-static MeBool planeOf(const Spread *spread, const double n[3], double normal[3]) {
-    double x[3], y[3];
-    mcd_sub(x, spread->end[1], spread->end[0]);
-    mcd_sub(y, spread->aside, spread->end[0]);
-    mcd_cross(normal, x, y);
-    const double length = mcd_length(normal);
-    if (!(length > 0))
-        return MEFALSE;
-    mcd_scale(normal, normal, (mcd_dot(normal, n) < 0 ? -1 : 1) / length);
-    return mcd_dot(normal, n) > 1 - wide * wide;
-}
-
-/* m: how far the shape is above the plane through a point. */
-static double heightAbove(const McdSampled *s, const double normal[3], const double point[3]) {
-    double farthest[3];
-    callSupport(s, normal, farthest);
-    return mcd_heightOver(farthest, point, normal);
-}
-
-/* Finds the normal of a flat face that is tilted by no more than `wide` against the direction n. `first`: the ring
- * about n. */
-static MeBool findFacet(const McdSampled *s, const double n[3], const Ring *first, double normal[3]) {
-    const double min = mcd_slack * s->extent;
-    Ring ring = *first;
-    double tilt = wide, before = 0;
-    mcd_copy(normal, n);
-    for (int round = 0; round < ROUNDS; round++) {
-        const Spread spread = spreadOf(&ring, normal);
-        if (spread.width <= 16 * min || spread.width < sqrt(narrower) * before || !planeOf(&spread, n, normal))
-            return MEFALSE;
-        if (heightAbove(s, normal, spread.end[0]) <= min)
-            return METRUE;
-        before = spread.width;
-        tilt *= narrower;
-        sampleRing(s, normal, tilt, AROUND, &ring);
-    }
-    return MEFALSE;
-}
-
-static MeBool areEqual(const McdSampled *s, const double a[3], const double b[3]) {
-    const double same = 4 * mcd_slack * s->extent;
-    return mcd_distanceSquared(a, b) <= same * same;
-}
-
-static void addPoint(const McdShape *s, McdFace *f, const double point[3], MeU32 name) {
-    mcd_faceAdd(s, f, point[0], point[1], point[2], name);
-}
-
-/* Which place of the ring the direction n, tilted against the face, comes behind; -1: it is the face's. */
-static int placeInRing(const Ring *ring, const double n[3]) {
-    const double x = mcd_dot(n, ring->u), y = mcd_dot(n, ring->w);
-    if (!(x * x + y * y > mcd_slack * mcd_slack))
-        return -1;
-    const double place = (atan2(y, x) - firstAngle) * (ring->count / 6.283185307179586);
-    return mcd_floorBetween(place < 0 ? place + ring->count : place, 0, ring->count - 1);
-}
-
-/* The corners of the face. A rim is sampled; `farthest`, the support point in the direction n, is added to it. */
-static void makeFacet(const McdShape *shape, const double n[3], const double normal[3], const double farthest[3],
-                      McdFace *f) {
-    enum { FARTHEST = MCD_FACE_POINTS - 1 };
-    const McdSampled *s = shape->sampled;
-    Ring ring;
-    const double *last = 0;
-    sampleRing(s, normal, beside, RIM, &ring);
-    const int after = placeInRing(&ring, n);
-    mcd_shapeDirection(shape, normal[0], normal[1], normal[2], f->normal);
-    for (int i = 0; i < RIM; i++) {
-        const double *point = ring.point[i], *next = ring.point[(i + 1) % RIM];
-        if ((!last || !areEqual(s, point, last)) && !(i > 0 && areEqual(s, point, ring.point[0])))
-            addPoint(shape, f, point, (MeU32)i);
-        last = point;
-        if (i == after && fabs(mcd_heightOver(farthest, point, normal)) <= mcd_slack * s->extent &&
-            !areEqual(s, farthest, point) && !areEqual(s, farthest, next)) {
-            addPoint(shape, f, farthest, FARTHEST);
-            last = farthest;
-        }
-    }
-    f->isDisc = f->count >= RIM;
 }
 
 /* ---- lines ------------------------------------------------------------------------------------------------------- */
 
-/* A straight line of the surface. */
-typedef struct Line {
-    double end[2][3], along[3], normal[3], length;
-} Line;
-
 /* Sets the direction along the line, and the normal that is nearest to n; false: too steep. */
-static MeBool alignLine(Line *line, const double n[3]) {
+static MeBool alignLine(McdLine *line, const double n[3]) {
     mcd_sub(line->along, line->end[1], line->end[0]);
     line->length = mcd_length(line->along);
     if (!(line->length > 0))
@@ -264,22 +128,19 @@ static MeBool alignLine(Line *line, const double n[3]) {
     return fabs(up) < 2 * wide;
 }
 
-static void sampleEnds(const McdSampled *s, Line *line, double tilt) {
-    supportBeside(s, line->normal, -tilt, line->along, line->end[0]);
-    supportBeside(s, line->normal, tilt, line->along, line->end[1]);
-}
-
-/* Finds the straight line of the surface whose normal is nearest to n. Rounded ends are approached from outside. */
-static MeBool findLine(const McdSampled *s, const double n[3], const Spread *first, Line *line) {
+MeBool mcd_sampledLine(const McdSampled *s, const double n[3], const double along[3], McdLine *line) {
+    enum { ROUNDS = 9 };
+    /* Ends that come together by more than the square root of the tilt's change are on a curved surface. */
+    static const double narrower = .25;
     double tilt = wide, before = 0;
     MeBool isLine = MEFALSE;
-    Line next;
-    mcd_copy(next.end[0], first->end[0]);
-    mcd_copy(next.end[1], first->end[1]);
+    McdLine next;
+    mcd_sampledBeside(s, n, -tilt, along, next.end[0]);
+    mcd_sampledBeside(s, n, tilt, along, next.end[1]);
     for (int round = 0; round < ROUNDS; round++) {
         if (!alignLine(&next, n) || next.length < sqrt(narrower) * before)
             break;
-        const double height = heightAbove(s, next.normal, next.end[0]);
+        const double height = mcd_sampledHeight(s, next.normal, next.end[0]);
         if (height <= mcd_slack * s->extent) {
             isLine = METRUE;
             *line = next;
@@ -288,7 +149,42 @@ static MeBool findLine(const McdSampled *s, const double n[3], const Spread *fir
             break;
         before = next.length;
         tilt *= narrower;
-        sampleEnds(s, &next, tilt);
+        mcd_sampledBeside(s, next.normal, -tilt, next.along, next.end[0]);
+        mcd_sampledBeside(s, next.normal, tilt, next.along, next.end[1]);
+    }
+    return isLine;
+}
+
+/* Goes on to the line whose normal m is nearest to n. As m moves across the line, along w = m x a, its direction a
+ * turns by some share of that, the twist: d(n . w) = -(n . m + twist n . a). */
+static MeBool nearestLine(const McdSampled *s, const double n[3], const McdRuling *start, McdLine *line) {
+    enum { STEPS = 12 };
+    static const double maxTurn = .2, exact = 1e-9; /* rad */
+    double m[3], a[3], twist = 0;
+    MeBool isLine = MEFALSE;
+    mcd_copy(m, start->normal);
+    mcd_copy(a, start->along);
+    for (int i = 0; i < STEPS; i++) {
+        double w[3], next[3], along[3];
+        McdLine there;
+        mcd_cross(w, m, a);
+        const double to = atan2(mcd_dot(n, w), mcd_dot(n, m) + twist * mcd_dot(n, a));
+        const double turned = MeCLAMP(to, -maxTurn, maxTurn);
+        if (isLine && fabs(turned) < exact)
+            break;
+        mcd_scale(next, m, cos(turned));
+        mcd_mad(next, next, sin(turned), w);
+        mcd_mad(along, a, twist * turned, w);
+        mcd_mad(along, along, -mcd_dot(along, next), next);
+        mcd_scale(along, along, 1 / mcd_length(along));
+        if (!mcd_sampledLine(s, next, along, &there))
+            break;
+        if (fabs(turned) > 1e-4)
+            twist = (mcd_dot(there.along, w) - mcd_dot(a, w)) / turned;
+        *line = there;
+        isLine = METRUE;
+        mcd_copy(m, there.normal);
+        mcd_copy(a, there.along);
     }
     return isLine;
 }
@@ -296,76 +192,291 @@ static MeBool findLine(const McdSampled *s, const double n[3], const Spread *fir
 /* m: the radius of curvature of the surface with the normal n in the direction across. */
 static double radiusAcross(const McdSampled *s, const double n[3], const double across[3], double tilt) {
     double p[3], q[3];
-    supportBeside(s, n, tilt, across, p);
-    supportBeside(s, n, -tilt, across, q);
+    mcd_sampledBeside(s, n, tilt, across, p);
+    mcd_sampledBeside(s, n, -tilt, across, q);
     mcd_sub(p, p, q);
     return fmax(mcd_dot(p, across), 0) * (sqrt(1 + tilt * tilt) / (2 * tilt));
 }
 
+/* The radius of curvature across a line, the mean of both ends, between which a cone's changes. */
+static double radiusAcrossLine(const McdSampled *s, const McdLine *line) {
+    static const double toEnd = .1; /* of the tangent: else a bent side gives points of both ends */
+    double across[3], sum = 0;
+    mcd_cross(across, line->normal, line->along);
+    for (int end = 0; end < 2; end++) {
+        double n[3];
+        mcd_mad(n, line->normal, (end ? toEnd : -toEnd) * difference, line->along);
+        mcd_scale(n, n, 1 / mcd_length(n));
+        sum += radiusAcross(s, n, across, difference);
+    }
+    return sum / 2;
+}
+
+/* ---- roundings --------------------------------------------------------------------------------------------------- */
+
+/* A rounding of the radius r of a border with the normal m: its support points are r (n - m) from the border's. */
+static void roundedPoint(const double on[3], double radius, const double n[3], const double m[3], double point[3]) {
+    for (int k = 0; k < 3; k++)
+        point[k] = on[k] + radius * (n[k] - m[k]);
+}
+
+/* The radius of the rounding that the support point in the direction n lies on: r (1 - n . m) below the face. */
+static double roundingAt(const double farthest[3], const double n[3], const double on[3], const double m[3]) {
+    const double fall = .5 * mcd_distanceSquared(n, m), depth = -mcd_heightOver(farthest, on, m);
+    return fall > 1e-12 && depth > 0 ? depth / fall : 0;
+}
+
+/* How far a support point may be from where a rounding says: of the extent. */
+static const double onBorder = 1e-5;
+
+static MeBool isNear(const McdSampled *s, const double a[3], const double b[3]) {
+    return mcd_distanceSquared(a, b) <= onBorder * onBorder * s->extent * s->extent;
+}
+
+/* ---- faces from flat faces --------------------------------------------------------------------------------------- */
+
+/* What is near a direction: a flat face, with the radius of its rounded border; or a line; or neither. */
+typedef struct Choice {
+    const McdFlat *flat;
+    double rounding, cosine; /* of the angle to the direction */
+    McdLine line;
+    MeBool isLine;
+} Choice;
+
+static void addPoint(const McdShape *s, McdFace *f, const double point[3], MeU32 name) {
+    mcd_faceAdd(s, f, point[0], point[1], point[2], name);
+}
+
+/* A disc as a cylinder has it. The corners begin at the shape's x axis, or y. */
+static void makeDisc(const McdShape *shape, const McdFlat *flat, const double centre[3], const double n[3],
+                     McdFace *f) {
+    const double *m = flat->normal, sine = .5;
+    McdShape disc = *shape;
+    double u[3] = {m[0] * m[0] < 1 - sine * sine, 0, 0}, w[3], d[3];
+    u[1] = 1 - u[0];
+    mcd_mad(u, u, -mcd_dot(u, m), m);
+    mcd_scale(u, u, 1 / mcd_length(u));
+    mcd_cross(w, m, u);
+    mcd_shapeDirection(shape, u[0], u[1], u[2], disc.axis[0]);
+    mcd_shapeDirection(shape, w[0], w[1], w[2], disc.axis[1]);
+    mcd_shapeDirection(shape, m[0], m[1], m[2], disc.axis[2]);
+    mcd_shapePoint(shape, centre[0], centre[1], centre[2], disc.place);
+    mcd_set(d, mcd_dot(n, u), mcd_dot(n, w), mcd_dot(n, m));
+    mcd_discFace(&disc, d, flat->radius, 0, 1, f);
+}
+
+/* A face with a round border that is no circle: support points around it, of which the first is that in the direction
+ * n if the face is tilted (mcd_discs.c). */
+static void makeRim(const McdShape *shape, const McdFlat *flat, const double offset[3], const double n[3], McdFace *f) {
+    enum { TILTED = 5, LAST = MCD_FACE_POINTS - 1 };
+    static const double flatSine = .05;
+    const McdSampled *s = shape->sampled;
+    double point[MCD_RING][3], u[3], w[3], first[3];
+    const double cosine = mcd_dot(n, flat->normal);
+    mcd_mad(u, n, -cosine, flat->normal);
+    const MeBool isTilted = mcd_length(u) > flatSine;
+    const int count = isTilted ? TILTED : MCD_RING;
+    if (isTilted) {
+        mcd_scale(u, u, 1 / mcd_length(u));
+        mcd_cross(w, flat->normal, u);
+        for (int i = 0; i < TILTED; i++) {
+            double along[3];
+            mcd_scale(along, u, cos(i * 1.2566370614359173));
+            mcd_mad(along, along, sin(i * 1.2566370614359173), w);
+            mcd_sampledBeside(s, flat->normal, mcd_besideFlat, along, point[i]);
+        }
+    } else {
+        mcd_sampledRing(s, flat->normal, mcd_besideFlat, MCD_RING, point);
+    }
+    mcd_copy(first, point[0]);
+    for (int i = 0; i < count; i++) {
+        if (i > 0 && (mcd_sampledEqual(s, point[i], point[i - 1]) || mcd_sampledEqual(s, point[i], first)))
+            continue;
+        double at[3];
+        mcd_mad(at, point[i], 1, offset);
+        addPoint(shape, f, at, (MeU32)(isTilted ? LAST - i : i));
+    }
+    f->isDisc = METRUE;
+}
+
+/* The face, its border moved along its rounding to the direction n. */
+static void makeFlat(const McdShape *shape, const McdFlat *flat, double rounding, const double n[3], McdFace *f) {
+    const McdFeatures *k = shape->sampled->features;
+    double offset[3], at[3];
+    mcd_sub(offset, n, flat->normal);
+    mcd_scale(offset, offset, rounding);
+    mcd_shapeDirection(shape, flat->normal[0], flat->normal[1], flat->normal[2], f->normal);
+    for (int i = 0; i < flat->count; i++) {
+        mcd_mad(at, k->corner[flat->first + i], 1, offset);
+        addPoint(shape, f, at, (MeU32)i);
+    }
+    mcd_mad(at, flat->centre, 1, offset);
+    if (flat->radius > 0)
+        makeDisc(shape, flat, at, n, f);
+    else if (flat->count == 0)
+        makeRim(shape, flat, offset, n, f);
+    f->id = (MeU32)(flat - k->flat);
+}
+
+/* ---- faces from lines -------------------------------------------------------------------------------------------- */
+
+/* The rounded end of the line that is not in the direction n: by the support point in the mirrored direction. */
+static void farEnd(const McdSampled *s, const McdLine *line, int far, const double n[3], double point[3]) {
+    double mirrored[3], there[3], moved[3];
+    mcd_mad(mirrored, n, -2 * mcd_dot(n, line->along), line->along);
+    mcd_sampledPoint(s, mirrored, there);
+    const double radius = roundingAt(there, mirrored, line->end[far], line->normal);
+    roundedPoint(line->end[far], radius, mirrored, line->normal, moved);
+    mcd_copy(point, line->end[far]);
+    if (isNear(s, moved, there))
+        roundedPoint(line->end[far], radius, n, line->normal, point);
+}
+
 /* The ends are named in the order of the coordinate in which they differ most. */
-static void makeLine(const McdShape *shape, const Line *line, McdFace *f) {
+static void makeLine(const McdShape *shape, const McdLine *line, const double n[3], const double farthest[3],
+                     McdFace *f) {
+    const McdSampled *s = shape->sampled;
     const double *along = line->along;
-    double across[3];
+    const int near = mcd_dot(n, along) > 0;
+    double end[2][3];
     int k = fabs(along[1]) > fabs(along[0]);
     k = fabs(along[2]) > fabs(along[k]) ? 2 : k;
     const int low = along[k] < 0;
-    mcd_cross(across, line->normal, along);
+    memcpy(end, line->end, sizeof end);
+    if (fabs(mcd_dot(n, along)) > 1e-6) {
+        mcd_copy(end[near], farthest);
+        farEnd(s, line, !near, n, end[!near]);
+    }
     mcd_shapeDirection(shape, line->normal[0], line->normal[1], line->normal[2], f->normal);
-    f->curvatureRadius = radiusAcross(shape->sampled, line->normal, across, difference);
-    addPoint(shape, f, line->end[low], 0);
-    addPoint(shape, f, line->end[!low], 1);
+    f->curvatureRadius = radiusAcrossLine(s, line);
+    f->id = MCD_FLATS;
+    addPoint(shape, f, end[low], 0);
+    addPoint(shape, f, end[!low], 1);
 }
 
-/* ---- faces, lines, points ---------------------------------------------------------------------------------------- */
-
-/* A number of a direction, which changes with its longest coordinate. */
-static MeU32 sideOf(const double n[3]) {
-    int k = fabs(n[1]) > fabs(n[0]);
-    k = fabs(n[2]) > fabs(n[k]) ? 2 : k;
-    return (MeU32)(2 * k + (n[k] < 0));
+/* Whether the support point in the direction n is an end of the line, or on the rounding of one. */
+static MeBool isOnLine(const McdSampled *s, const McdLine *line, const double n[3], const double farthest[3]) {
+    const int near = mcd_dot(n, line->along) > 0;
+    double at[3];
+    if (mcd_dot(n, line->normal) > 1 - wide * wide / 2)
+        return METRUE;
+    roundedPoint(line->end[near], roundingAt(farthest, n, line->end[near], line->normal), n, line->normal, at);
+    return isNear(s, at, farthest);
 }
 
-static MeBool isSharp(const McdSampled *s, const double farthest[3], const Ring *ring) {
-    for (int i = 0; i < ring->count; i++)
-        if (!areEqual(s, ring->point[i], farthest))
+/* ---- the nearest of all ------------------------------------------------------------------------------------------ */
+
+/* Whether the support point in the direction n is on the rounded border of a face, whose radius it sets. */
+static MeBool isOnRounding(const McdSampled *s, const McdFlat *flat, const double n[3], const double farthest[3],
+                           double *rounding) {
+    double out[3], border[3], at[3];
+    mcd_mad(out, n, -mcd_dot(n, flat->normal), flat->normal);
+    const double length = mcd_length(out);
+    *rounding = 0;
+    if (!(length > 1e-6))
+        return METRUE;
+    mcd_scale(out, out, 1 / length);
+    mcd_sampledBeside(s, flat->normal, mcd_besideFlat, out, border);
+    *rounding = roundingAt(farthest, n, flat->centre, flat->normal);
+    roundedPoint(border, *rounding, n, flat->normal, at);
+    return isNear(s, at, farthest);
+}
+
+static const McdFlat *nearestFlat(const McdFeatures *k, const double n[3]) {
+    const McdFlat *best = 0;
+    double max = -INFINITY;
+    for (int i = 0; i < k->flats; i++) {
+        const double cosine = mcd_dot(k->flat[i].normal, n);
+        if (cosine > max) {
+            max = cosine;
+            best = &k->flat[i];
+        }
+    }
+    return best;
+}
+
+/* Of the faces that have the support point the one nearest to n; or the nearest one, if its rounding has that point. */
+static void chooseFlat(const McdSampled *s, const double n[3], const double farthest[3], Choice *c) {
+    static const double min = .5; /* cosine: more tilted ones are seen from their edge */
+    const McdFeatures *k = s->features;
+    const McdFlat *nearest = nearestFlat(k, n);
+    if (!nearest || !(mcd_dot(nearest->normal, n) > min))
+        return;
+    if (isOnRounding(s, nearest, n, farthest, &c->rounding)) {
+        c->flat = nearest;
+        c->cosine = mcd_dot(nearest->normal, n);
+        return;
+    }
+    c->cosine = min;
+    c->rounding = 0;
+    for (int i = 0; i < k->flats; i++) {
+        const McdFlat *flat = &k->flat[i];
+        if (mcd_dot(flat->normal, n) > c->cosine &&
+            -mcd_heightOver(farthest, flat->centre, flat->normal) <= mcd_slack * s->extent) {
+            c->flat = flat;
+            c->cosine = mcd_dot(flat->normal, n);
+        }
+    }
+}
+
+static void chooseLine(const McdSampled *s, const double n[3], const double farthest[3], Choice *c) {
+    static const double reach = .3; /* rad: a line may be so much nearer than the nearest one that is known */
+    const McdFeatures *k = s->features;
+    const McdRuling *start = 0;
+    double max = -INFINITY;
+    McdLine line;
+    for (int i = 0; i < k->rulings; i++) {
+        const double cosine = mcd_dot(k->ruling[i].normal, n);
+        if (cosine > max) {
+            max = cosine;
+            start = &k->ruling[i];
+        }
+    }
+    if (!start || (c->flat && acos(MeMIN(c->cosine, 1)) + reach < acos(MeCLAMP(max, -1, 1))) ||
+        !nearestLine(s, n, start, &line) || (c->flat && mcd_dot(line.normal, n) <= c->cosine + 1e-12) ||
+        !isOnLine(s, &line, n, farthest))
+        return;
+    c->isLine = METRUE;
+    c->line = line;
+}
+
+static MeBool isSharp(const McdSampled *s, const double n[3], const double farthest[3]) {
+    enum { AROUND = 4 };
+    double ring[AROUND][3];
+    mcd_sampledRing(s, n, wide, AROUND, ring);
+    for (int i = 0; i < AROUND; i++)
+        if (!mcd_sampledEqual(s, ring[i], farthest))
             return MEFALSE;
     return METRUE;
 }
 
 static void findFace(const McdShape *shape, const double direction[3], McdFace *f) {
-    enum { POINT, LINE = 8, FACET = 16 };
+    enum { POINT = MCD_FLATS + 1 };
     const McdSampled *s = shape->sampled;
-    double n[3], farthest[3], normal[3];
-    Ring ring;
-    Line line;
+    const McdFeatures *k = s->features;
+    double n[3], farthest[3];
+    Choice c = {.flat = 0};
     ownDirection(shape, direction, n);
-    callSupport(s, n, farthest);
-    sampleRing(s, n, wide, AROUND, &ring);
-    if (isSharp(s, farthest, &ring)) {
+    if (k->isPolyhedron) {
+        makeFlat(shape, nearestFlat(k, n), 0, n, f);
+        return;
+    }
+    mcd_sampledPoint(s, n, farthest);
+    chooseFlat(s, n, farthest, &c);
+    chooseLine(s, n, farthest, &c);
+    if (c.isLine) {
+        makeLine(shape, &c.line, n, farthest, f);
+    } else if (c.flat) {
+        makeFlat(shape, c.flat, c.rounding, n, f);
+    } else {
+        f->id = POINT;
+        f->isDisc = !isSharp(s, n, farthest); /* the point moves along the surface */
         addPoint(shape, f, farthest, 0);
-        return;
     }
-    const Spread spread = spreadOf(&ring, n);
-    if (findFacet(s, n, &ring, normal)) {
-        f->id = FACET + sideOf(normal);
-        makeFacet(shape, n, normal, farthest, f);
-        if (f->count > 2)
-            return;
-        f->count = 0;
-    }
-    if (findLine(s, n, &spread, &line)) {
-        f->id = LINE + sideOf(line.normal);
-        makeLine(shape, &line, f);
-        return;
-    }
-    f->id = POINT;
-    f->isDisc = METRUE; /* the point moves along the surface */
-    mcd_set(f->normal, 0, 0, 0);
-    addPoint(shape, f, farthest, 0);
 }
 
 void mcd_sampledFace(const McdShape *s, const double direction[3], McdFace *f) {
-    const MeProgramCall before = enterProgram();
+    const MeProgramCall before = mcd_sampledEnter();
     findFace(s, direction, f);
     MeProgramLeave(&before);
 }
@@ -403,6 +514,8 @@ static double radiusAlong(const McdShape *shape, const double outward[3]) {
     const McdSampled *s = shape->sampled;
     McdFace face = {.count = 0};
     double n[3], u[3], w[3];
+    if (s->features->isPolyhedron)
+        return s->rounding;
     ownDirection(shape, outward, n);
     mcd_basis(n, u, w);
     const MeBool rolls = rollingDirection(shape, outward, w);
@@ -410,11 +523,12 @@ static double radiusAlong(const McdShape *shape, const double outward[3]) {
     if (across > 0)
         return s->rounding + (along + across) / 2;
     findFace(shape, outward, &face);
-    return s->rounding + (face.count == 2 ? face.curvatureRadius : 0);
+    return s->rounding +
+           (face.count == 2 && mcd_dot(face.normal, outward) > 1 - wide * wide / 2 ? face.curvatureRadius : 0);
 }
 
 double mcd_sampledRadius(const McdShape *s, const double outward[3], const double point[3]) {
-    const MeProgramCall before = enterProgram();
+    const MeProgramCall before = mcd_sampledEnter();
     const double radius = radiusAlong(s, outward);
     MeProgramLeave(&before);
     (void)point;
@@ -453,7 +567,7 @@ static void gridRow(const Grid *g, int i, double row[][3]) {
         for (int k = 0; k < 3; k++)
             d[k] = g->sign[k] * at[k] * g->stretch[k] + 0.; /* no -0: octants agree about directions between them */
         mcd_scale(d, d, 1 / mcd_length(d));
-        callSupport(g->sampled, d, row[j]);
+        mcd_sampledPoint(g->sampled, d, row[j]);
         mcd_mad(row[j], row[j], g->sampled->rounding, d);
     }
 }
@@ -483,7 +597,7 @@ static void visitOctant(const Grid *g, McdSampledVisit visit, void *context) {
 }
 
 void mcd_sampledTriangles(const McdSampled *s, const double half[3], int count, McdSampledVisit visit, void *context) {
-    const MeProgramCall before = enterProgram();
+    const MeProgramCall before = mcd_sampledEnter();
     MEASSERT(count > 0 && count <= MCD_GRID);
     for (int octant = 0; octant < 8; octant++) {
         Grid g = {.sampled = s, .count = count};
@@ -496,18 +610,12 @@ void mcd_sampledTriangles(const McdSampled *s, const double half[3], int count, 
     MeProgramLeave(&before);
 }
 
-static MeU32 flatFacesOf(const McdSampled *s) {
-    const MeProgramCall before = enterProgram();
+static MeU32 flatFacesOf(const McdFeatures *k) {
     MeU32 faces = 0;
-    for (int i = 0; i < 6; i++) {
-        double n[3] = {0, 0, 0}, normal[3];
-        Ring ring;
-        n[i / 2] = i % 2 ? -1 : 1;
-        sampleRing(s, n, wide, AROUND, &ring);
-        if (findFacet(s, n, &ring, normal) && mcd_dot(normal, n) >= 1 - mcd_slack * mcd_slack)
-            faces |= 1u << i;
-    }
-    MeProgramLeave(&before);
+    for (int i = 0; i < 6; i++)
+        for (int j = 0; j < k->flats; j++)
+            if ((i % 2 ? -1 : 1) * k->flat[j].normal[i / 2] >= 1 - mcd_slack * mcd_slack)
+                faces |= 1u << i;
     return faces;
 }
 
@@ -530,7 +638,7 @@ static void measureTriangle(void *context, const double corner[3][3]) {
 
 static double roundingOf(const McdSampled *s) {
     const McdConvexRoundingFn rounding = s->type->functions.rounding;
-    const MeProgramCall before = enterProgram();
+    const MeProgramCall before = mcd_sampledEnter();
     const double m = rounding ? rounding(s->data) : 0;
     MeProgramLeave(&before);
     return m;
@@ -540,6 +648,7 @@ MeBool mcd_sampledMeasure(McdSampled *s) {
     enum { COUNT = 16 };
     static const double even[3] = {1, 1, 1};
     Extent e = {.isFinite = METRUE};
+    s->features = 0;
     s->extent = INFINITY;
     s->rounding = roundingOf(s);
     if (!(s->rounding >= 0 && s->rounding <= (double)FLT_MAX))
@@ -550,6 +659,9 @@ MeBool mcd_sampledMeasure(McdSampled *s) {
     if (!e.isFinite || !(s->extent >= (double)FLT_MIN && s->extent <= (double)FLT_MAX / 4))
         return MEFALSE;
     mcd_scale(s->middle, e.sum, 1. / e.count);
-    s->flatFaces = flatFacesOf(s);
-    return METRUE;
+    const MeProgramCall before = mcd_sampledEnter();
+    s->features = mcd_sampledFeatures(s);
+    MeProgramLeave(&before);
+    s->flatFaces = s->features ? flatFacesOf(s->features) : 0;
+    return s->features != 0;
 }

@@ -1,5 +1,6 @@
-/* Inside Mcd: convex shapes that are known by their support function alone, which is the program's. Their faces are
- * found by sampling: by support points around a direction (mcd_sampled.c). */
+/* Inside Mcd: convex shapes that are known by their support function alone, which is the program's. Their flat faces
+ * and the straight lines of their round sides are found once, when a shape gets its data (mcd_features.c); contacts
+ * take the nearest one (mcd_sampled.c). */
 #ifndef MCD_SAMPLED_H
 #define MCD_SAMPLED_H
 
@@ -16,19 +17,73 @@ typedef struct McdSampledType {
     char name[];
 } McdSampledType;
 
+/* A flat face of the core. */
+typedef struct McdFlat {
+    double normal[3];         /* outward, length 1 */
+    double centre[3], radius; /* of a circular border; else a point of the face, and 0 */
+    int first, count;         /* its corners, counter-clockwise from outside; count 0: its border is round */
+} McdFlat;
+
+/* One of the straight lines of a round side, or of an edge between round sides. */
+typedef struct McdRuling {
+    double normal[3], along[3];
+} McdRuling;
+
+/* Limits of memory: 58 kilobytes a shape at most. Faces beyond the limit have their farthest point alone. */
+enum { MCD_FLATS = 256, MCD_FLAT_CORNERS = 1024, MCD_RULINGS = 256 };
+
+/* One block of memory. */
+typedef struct McdFeatures {
+    McdFlat *flat;
+    double (*corner)[3];
+    McdRuling *ruling;
+    int flats, corners, rulings;
+    MeBool isPolyhedron; /* the flat faces are the whole surface */
+} McdFeatures;
+
 /* One shape, in its own frame. */
 struct McdSampled {
     McdSampledType *type;
     const void *data;
+    McdFeatures *features;
     double rounding, extent; /* m; extent: from the origin, an upper bound, with the rounding */
     double middle[3];        /* a point of the shape */
     MeU32 flatFaces;         /* bits: faces whose normals are x, -x, y, -y, z, -z */
 };
 
-/* Calls the support function; direction: length 1. If its point is not finite, beyond the extent, or behind the middle:
- * the middle, and a warning, once for the type. While the extent is INFINITY, any point is taken. */
+/* A straight line of the surface. */
+typedef struct McdLine {
+    double end[2][3], along[3], normal[3], length;
+} McdLine;
+
+/* Brackets calls of the program's function, one or many. */
+MeProgramCall mcd_sampledEnter(void);
+/* Calls the support function, within mcd_sampledEnter; direction: length 1. If its point is not finite, beyond the
+ * extent, or behind the middle: the middle, and a warning, once for the type. While the extent is INFINITY, any point
+ * is taken. */
+void mcd_sampledPoint(const McdSampled *s, const double direction[3], double point[3]);
+/* The same in the direction n + k along, n and along of length 1 and orthogonal. */
+void mcd_sampledBeside(const McdSampled *s, const double n[3], double k, const double along[3], double point[3]);
+/* The same, beyond mcd_sampledEnter. */
 void mcd_sampledCall(const McdSampled *s, const double direction[3], double point[3]);
-/* Sets rounding, extent and flatFaces; false: not finite, or without extent. */
+/* m: how far the shape is above the plane through a point. */
+double mcd_sampledHeight(const McdSampled *s, const double normal[3], const double point[3]);
+/* Whether two points are one, to within rounding. */
+MeBool mcd_sampledEqual(const McdSampled *s, const double a[3], const double b[3]);
+/* Support points in `count` directions around n, tilted by the tangent k; count divides MCD_RING. */
+enum { MCD_RING = 16 };
+void mcd_sampledRing(const McdSampled *s, const double n[3], double k, int count, double point[][3]);
+/* Finds the straight line of the surface whose normal is nearest to n, which is near one, and which goes nearly along
+ * the direction given; false: there is none. Rounded ends are approached from outside. */
+MeBool mcd_sampledLine(const McdSampled *s, const double n[3], const double along[3], McdLine *line);
+
+/* Finds the features; null, with an error: no memory. MeMemoryGive frees them. Within mcd_sampledEnter. */
+McdFeatures *mcd_sampledFeatures(const McdSampled *s);
+/* Tangent of the angle in which corners of a face are found, m per m that these are below the face. */
+static const double mcd_besideFlat = 1e-6;
+
+/* Sets rounding, extent, features, which are the caller's, and flatFaces. False, with features null: not finite, or
+ * without extent, or, with an error, no memory. */
 MeBool mcd_sampledMeasure(McdSampled *s);
 /* The functions of the type's McdKind. */
 void mcd_sampledSupport(const McdShape *s, const double direction[3], double point[3]);

@@ -222,6 +222,7 @@ static void update(McdGeometry *g) {
     if (!MeProgramMayChange("McdGeometryUpdate")) /* its own support function calls it */
         return;
     if (mcd_sampledMeasure(&record->shape)) {
+        MeMemoryGive(before.features);
         record->version++;
         return;
     }
@@ -230,10 +231,15 @@ static void update(McdGeometry *g) {
               before.type->name);
 }
 
+static void MEAPI release(McdGeometryID g) {
+    MeMemoryGive(((McdConvexRecord *)g)->shape.features);
+    MeMemoryGive(g);
+}
+
 static void fillKind(McdSampledType *type) {
     type->kind = (McdKind){.type = -1,
                            .size = sizeof(McdConvexRecord) + type->dataSize,
-                           .destroy = mcd_geometryFree,
+                           .destroy = release,
                            .box = updateAABB,
                            .sphere = boundingSphere,
                            .farthest = maximumPoint,
@@ -319,7 +325,7 @@ MeBool MEAPI McdFrameworkTypeIsConvex(McdFrameworkID frame, int typeId) {
 
 /* Sets the data and what follows from them; false, with a warning: they give no shape. */
 static MeBool setData(McdConvexRecord *record, const void *data, const char *function) {
-    memcpy(record->data, data, record->shape.type->dataSize);
+    memmove(record->data, data, record->shape.type->dataSize); /* it may be the shape's own */
     if (mcd_sampledMeasure(&record->shape))
         return METRUE;
     MeWarning(1,
@@ -381,7 +387,9 @@ void MEAPI McdConvexSetData(McdGeometryID g, const void *data) {
         return;
     }
     memcpy(old, record->data, size);
-    if (data && data != record->data && !setData(record, data, __func__)) {
+    if (setData(record, data ? data : old, __func__)) {
+        MeMemoryGive(before.features);
+    } else {
         memcpy(record->data, old, size);
         record->shape = before;
     }
