@@ -177,7 +177,7 @@ static MeBool addFlat(Search *w, const double normal[3], const double on[3]) {
 static double turnPlane(const McdSampled *s, const double p[3], const double q[3], const double normal[3],
                         double turned[3], MeBool *isFlat) {
     enum { TURNS = 40 };
-    static const double exact = 1e-12, round = 1e-3; /* of the extent; rad: a smaller turn is that of a round side */
+    static const double exact = 1e-12, round = 1e-5; /* of the extent; rad: a smaller turn is that of a round side */
     double out[3], point[3], angle = halfTurn;
     *isFlat = MEFALSE;
     mcd_copy(turned, normal);
@@ -187,19 +187,18 @@ static double turnPlane(const McdSampled *s, const double p[3], const double q[3
     for (int i = 0; i < TURNS && angle > round; i++) {
         mcd_sampledPoint(s, turned, point);
         const double height = mcd_heightOver(point, p, turned);
-        const double x = fmin(mcd_heightOver(point, p, out), 0), y = fmin(mcd_heightOver(point, p, normal), 0);
-        if (height <= exact * s->extent || (height <= mcd_slack * s->extent && hypot(x, y) > minWidth * s->extent)) {
-            *isFlat = METRUE;
-            return angle;
-        }
+        const double x = mcd_heightOver(point, p, out), y = fmin(mcd_heightOver(point, p, normal), 0);
         const double next = atan2(-y, x);
-        if (!(next < angle))
+        *isFlat =
+            height <= exact * s->extent || (height <= mcd_slack * s->extent && hypot(x, y) > minWidth * s->extent);
+        if (height <= exact * s->extent || !(next < angle))
             break;
         angle = next;
         for (int k = 0; k < 3; k++)
             turned[k] = normal[k] * cos(angle) + out[k] * sin(angle);
         mcd_scale(turned, turned, 1 / mcd_length(turned));
     }
+    *isFlat = *isFlat && angle > round;
     return angle;
 }
 
