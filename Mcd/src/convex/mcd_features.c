@@ -309,6 +309,17 @@ static MeBool isRulingKnown(const Search *w, const double normal[3], const doubl
     return MEFALSE;
 }
 
+/* By the line beside. */
+static double twistOf(const McdSampled *s, const McdLine *line) {
+    static const double turn = .01; /* rad */
+    double w[3], n[3];
+    McdLine beside;
+    mcd_cross(w, line->normal, line->along);
+    mcd_scale(n, line->normal, cos(turn));
+    mcd_mad(n, n, sin(turn), w);
+    return mcd_sampledLine(s, n, line->along, mcd_exactLine, &beside) ? mcd_dot(beside.along, w) / turn : 0;
+}
+
 /* The faces on both sides of a line, if it is an edge; a line between round surfaces is kept itself. */
 static void addLine(Search *w, const McdLine *line) {
     MeBool hasFlat = MEFALSE;
@@ -326,6 +337,7 @@ static void addLine(Search *w, const McdLine *line) {
     McdRuling *r = &w->ruling[w->found.rulings++];
     mcd_copy(r->normal, line->normal);
     mcd_copy(r->along, line->along);
+    r->twist = twistOf(w->s, line);
 }
 
 /* Halves the way between two directions, and goes on with the half whose support points are farther apart, as long as
@@ -353,7 +365,7 @@ static void considerEdge(Search *w, const Sample *from, const Sample *to) {
     if (length < minWidth * w->s->extent)
         return;
     mcd_scale(along, along, 1 / length);
-    if (!isRulingKnown(w, middle.d, along) && mcd_sampledLine(w->s, middle.d, along, &line))
+    if (!isRulingKnown(w, middle.d, along) && mcd_sampledLine(w->s, middle.d, along, mcd_exactLine, &line))
         addLine(w, &line);
 }
 

@@ -5,7 +5,7 @@
  * points of both cores along the normal, S = n . (x - y); its gradient across n is that of x - y. Newton's method
  * finds its zero, with differences of support points as second derivative. A step that does not enlarge S is not
  * taken: where a flat face or a corner touches, x and y jump, and the search's normal is exact already. */
-#include "convex/mcd_kind_i.h"
+#include "convex/mcd_sampled_i.h"
 
 /* The separation along a normal, with the support points, and its gradient along u and w. */
 typedef struct Slope {
@@ -146,40 +146,28 @@ typedef struct Inner {
     double radius;
 } Inner;
 
-static MeBool makeAxis(const McdFace *line, Inner *inner) {
+static MeBool makeAxis(const McdLine *line, Inner *inner) {
     McdShape *axis = &inner->core;
     double between[3];
     axis->kind = &segmentKind;
-    mcd_sub(between, line->point[1], line->point[0]);
+    mcd_sub(between, line->end[1], line->end[0]);
     axis->low = mcd_length(between) / 2;
     if (!(axis->low > 0)) /* the program's function gives other points than before */
         return MEFALSE;
     mcd_scale(axis->axis[2], between, .5 / axis->low);
     mcd_basis(axis->axis[2], axis->axis[0], axis->axis[1]);
-    inner->radius = line->curvatureRadius;
-    mcd_mad(axis->place, line->point[0], .5, between);
+    mcd_mad(axis->place, line->end[0], .5, between);
     mcd_mad(axis->place, axis->place, -inner->radius, line->normal);
     return inner->radius > 0;
 }
 
-/* Whether the surface has the line along its length in the direction `out`, not at its end alone. */
-static MeBool isLineToward(const McdFace *face, const double out[3]) {
-    static const double across = .9987502603949663; /* cos(.05) */
-    return face->count == 2 && mcd_dot(face->normal, out) > across;
-}
-
 /* Makes it where the outward normal is `out`. False: there is none. */
 static MeBool makeInner(const McdShape *s, const double out[3], Inner *inner) {
-    McdFace face;
+    McdLine line;
     inner->core = (McdShape){.kind = &pointKind, .extent = s->extent, .axis = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
-    mcd_faceToward(s, out, &face);
-    if (isLineToward(&face, out)) {
-        double normal[3];
-        mcd_copy(normal, face.normal);
-        mcd_faceToward(s, normal, &face); /* its ends where their rounding begins */
-        return face.count == 2 && makeAxis(&face, inner);
-    }
-    inner->radius = face.count <= 2 ? meanRadius(s, out) : 0;
+    if (mcd_sampledLineToward(s, out, &line, &inner->radius))
+        return makeAxis(&line, inner);
+    inner->radius = meanRadius(s, out);
     return inner->radius > 0;
 }
 

@@ -128,27 +128,28 @@ static MeBool alignLine(McdLine *line, const double n[3]) {
     return fabs(up) < 2 * wide;
 }
 
-MeBool mcd_sampledLine(const McdSampled *s, const double n[3], const double along[3], McdLine *line) {
-    enum { ROUNDS = 9 };
-    /* Ends that come together by more than the square root of the tilt's change are on a curved surface. */
-    static const double narrower = .25;
+MeBool mcd_sampledLine(const McdSampled *s, const double n[3], const double along[3], double exact, McdLine *line) {
+    enum { ROUNDS = 6 };
+    /* The tilt of each round, of that before. The line through two rounded ends is exact to the tilt's square, so that
+     * the tilt may be so much smaller each time. Ends that come together as much are on a curved surface. */
+    static const double narrower[ROUNDS] = {.125, .0625, .03125, .03125, .03125, 0};
     double tilt = wide, before = 0;
     MeBool isLine = MEFALSE;
     McdLine next;
     mcd_sampledBeside(s, n, -tilt, along, next.end[0]);
     mcd_sampledBeside(s, n, tilt, along, next.end[1]);
     for (int round = 0; round < ROUNDS; round++) {
-        if (!alignLine(&next, n) || next.length < sqrt(narrower) * before)
+        if (!alignLine(&next, n) || next.length < before)
             break;
         const double height = mcd_sampledHeight(s, next.normal, next.end[0]);
-        if (height <= mcd_slack * s->extent) {
+        if (height <= fmax(exact, mcd_slack) * s->extent) {
             isLine = METRUE;
             *line = next;
         }
-        if (height <= 1e-12 * s->extent)
+        if (height <= exact * s->extent)
             break;
-        before = next.length;
-        tilt *= narrower;
+        before = next.length * sqrt(narrower[round]);
+        tilt *= narrower[round];
         mcd_sampledBeside(s, next.normal, -tilt, next.along, next.end[0]);
         mcd_sampledBeside(s, next.normal, tilt, next.along, next.end[1]);
     }
@@ -159,9 +160,9 @@ MeBool mcd_sampledLine(const McdSampled *s, const double n[3], const double alon
  * turns by some share of that, the twist: d(n . w) = -(n . m + twist n . a). */
 static MeBool nearestLine(const McdSampled *s, const double n[3], const McdRuling *start, McdLine *line) {
     enum { STEPS = 12 };
-    static const double maxTurn = .2, exact = 1e-9; /* rad */
-    double m[3], a[3], twist = 0;
-    MeBool isLine = MEFALSE;
+    static const double maxTurn = .2, near = .01, exact = 1e-9; /* rad */
+    double m[3], a[3], twist = start->twist;
+    MeBool isLine = MEFALSE, isExact = MEFALSE;
     mcd_copy(m, start->normal);
     mcd_copy(a, start->along);
     for (int i = 0; i < STEPS; i++) {
@@ -170,14 +171,15 @@ static MeBool nearestLine(const McdSampled *s, const double n[3], const McdRulin
         mcd_cross(w, m, a);
         const double to = atan2(mcd_dot(n, w), mcd_dot(n, m) + twist * mcd_dot(n, a));
         const double turned = MeCLAMP(to, -maxTurn, maxTurn);
-        if (isLine && fabs(turned) < exact)
+        if (isExact && fabs(turned) < exact)
             break;
         mcd_scale(next, m, cos(turned));
         mcd_mad(next, next, sin(turned), w);
         mcd_mad(along, a, twist * turned, w);
         mcd_mad(along, along, -mcd_dot(along, next), next);
         mcd_scale(along, along, 1 / mcd_length(along));
-        if (!mcd_sampledLine(s, next, along, &there))
+        isExact = fabs(turned) < near;
+        if (!mcd_sampledLine(s, next, along, isExact ? mcd_exactLine : 1e-5, &there))
             break;
         if (fabs(turned) > 1e-4)
             twist = (mcd_dot(there.along, w) - mcd_dot(a, w)) / turned;
@@ -186,7 +188,7 @@ static MeBool nearestLine(const McdSampled *s, const double n[3], const McdRulin
         mcd_copy(m, there.normal);
         mcd_copy(a, there.along);
     }
-    return isLine;
+    return isLine && isExact;
 }
 
 /* m: the radius of curvature of the surface with the normal n in the direction across. */
@@ -475,6 +477,24 @@ static void findFace(const McdShape *shape, const double direction[3], McdFace *
     }
 }
 
+MeBool mcd_sampledLineToward(const McdShape *shape, const double direction[3], McdLine *line, double *radius) {
+    const McdSampled *s = shape->sampled;
+    const MeProgramCall before = mcd_sampledEnter();
+    double n[3], farthest[3] = {0, 0, 0};
+    Choice c = {.flat = 0};
+    ownDirection(shape, direction, n);
+    chooseLine(s, n, farthest, &c);
+    const MeBool isAlong = c.isLine && mcd_dot(c.line.normal, n) > 1 - wide * wide / 2;
+    if (isAlong)
+        *radius = radiusAcrossLine(s, &c.line);
+    MeProgramLeave(&before);
+    for (int i = 0; i < 2 && isAlong; i++)
+        mcd_shapePoint(shape, c.line.end[i][0], c.line.end[i][1], c.line.end[i][2], line->end[i]);
+    if (isAlong)
+        mcd_shapeDirection(shape, c.line.normal[0], c.line.normal[1], c.line.normal[2], line->normal);
+    return isAlong;
+}
+
 void mcd_sampledFace(const McdShape *s, const double direction[3], McdFace *f) {
     const MeProgramCall before = mcd_sampledEnter();
     findFace(s, direction, f);
@@ -644,6 +664,27 @@ static double roundingOf(const McdSampled *s) {
     return m;
 }
 
+/* m: how far the corners of a polyhedron are from the origin. */
+static double farthestCorner(const McdFeatures *k) {
+    double max = 0;
+    for (int i = 0; i < k->corners; i++)
+        max = fmax(max, mcd_length(k->corner[i]));
+    return max;
+}
+
+/* The features, and what follows from them; false, with an error: no memory. */
+static MeBool measureFeatures(McdSampled *s) {
+    const MeProgramCall before = mcd_sampledEnter();
+    s->features = mcd_sampledFeatures(s);
+    MeProgramLeave(&before);
+    if (!s->features)
+        return MEFALSE;
+    s->flatFaces = flatFacesOf(s->features);
+    if (s->features->isPolyhedron)
+        s->extent = farthestCorner(s->features) + s->rounding;
+    return METRUE;
+}
+
 MeBool mcd_sampledMeasure(McdSampled *s) {
     enum { COUNT = 16 };
     static const double even[3] = {1, 1, 1};
@@ -659,9 +700,5 @@ MeBool mcd_sampledMeasure(McdSampled *s) {
     if (!e.isFinite || !(s->extent >= (double)FLT_MIN && s->extent <= (double)FLT_MAX / 4))
         return MEFALSE;
     mcd_scale(s->middle, e.sum, 1. / e.count);
-    const MeProgramCall before = mcd_sampledEnter();
-    s->features = mcd_sampledFeatures(s);
-    MeProgramLeave(&before);
-    s->flatFaces = s->features ? flatFacesOf(s->features) : 0;
-    return s->features != 0;
+    return measureFeatures(s);
 }

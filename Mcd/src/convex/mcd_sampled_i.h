@@ -27,6 +27,7 @@ typedef struct McdFlat {
 /* One of the straight lines of a round side, or of an edge between round sides. */
 typedef struct McdRuling {
     double normal[3], along[3];
+    double twist; /* rad per rad: how far `along` turns as the normal turns across it */
 } McdRuling;
 
 /* Limits of memory: 58 kilobytes a shape at most. Faces beyond the limit have their farthest point alone. */
@@ -75,7 +76,9 @@ enum { MCD_RING = 16 };
 void mcd_sampledRing(const McdSampled *s, const double n[3], double k, int count, double point[][3]);
 /* Finds the straight line of the surface whose normal is nearest to n, which is near one, and which goes nearly along
  * the direction given; false: there is none. Rounded ends are approached from outside. */
-MeBool mcd_sampledLine(const McdSampled *s, const double n[3], const double along[3], McdLine *line);
+MeBool mcd_sampledLine(const McdSampled *s, const double n[3], const double along[3], double exact, McdLine *line);
+/* Of `exact`, a share of the extent: how far the shape may be above the line. */
+static const double mcd_exactLine = 1e-12;
 
 /* Finds the features; null, with an error: no memory. MeMemoryGive frees them. Within mcd_sampledEnter. */
 McdFeatures *mcd_sampledFeatures(const McdSampled *s);
@@ -88,6 +91,9 @@ MeBool mcd_sampledMeasure(McdSampled *s);
 /* The functions of the type's McdKind. */
 void mcd_sampledSupport(const McdShape *s, const double direction[3], double point[3]);
 void mcd_sampledFace(const McdShape *s, const double direction[3], McdFace *f);
+/* The straight line along which the shape lies if something flat touches it from a direction, within .05 rad: its ends
+ * and normal, and its radius of curvature. False: there is none. */
+MeBool mcd_sampledLineToward(const McdShape *s, const double direction[3], McdLine *line, double *radius);
 double mcd_sampledRadius(const McdShape *s, const double outward[3], const double point[3]);
 
 /* The middle and half the sides of the shape's box, of which none is less than a thousandth of the longest. */
