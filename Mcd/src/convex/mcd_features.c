@@ -302,29 +302,31 @@ static void considerTriangle(Search *w, const Sample *a, const Sample *b, const 
 /* ---- lines ------------------------------------------------------------------------------------------------------- */
 
 static MeBool isRulingKnown(const Search *w, const double normal[3], const double along[3]) {
+    const double near = 1 - 2 * step * step; /* cosine: two steps */
     for (int i = 0; i < w->found.rulings; i++)
-        if (mcd_dot(w->ruling[i].normal, normal) > 1 - step * step / 2 &&
-            fabs(mcd_dot(w->ruling[i].along, along)) > 1 - step * step / 2)
+        if (mcd_dot(w->ruling[i].normal, normal) > near && fabs(mcd_dot(w->ruling[i].along, along)) > near)
             return METRUE;
     return MEFALSE;
 }
 
-/* By the line beside. */
-static double twistOf(const McdSampled *s, const McdLine *line) {
+/* Whether the line beside is another one, as on a round side, and not the same edge; sets the twist. */
+static MeBool isOnRoundSide(const McdSampled *s, const McdLine *line, double *twist) {
     static const double turn = .01; /* rad */
     double w[3], n[3];
     McdLine beside;
+    *twist = 0;
     mcd_cross(w, line->normal, line->along);
     mcd_scale(n, line->normal, cos(turn));
     mcd_mad(n, n, sin(turn), w);
-    return mcd_sampledLine(s, n, line->along, mcd_exactLine, &beside) ? mcd_dot(beside.along, w) / turn : 0;
+    if (!mcd_sampledLine(s, n, line->along, mcd_exactLine, &beside) || beside.length < line->length / 2)
+        return MEFALSE;
+    *twist = mcd_dot(beside.along, w) / mcd_dot(beside.normal, w);
+    return !mcd_sampledEqual(s, beside.end[0], line->end[0]) || !mcd_sampledEqual(s, beside.end[1], line->end[1]);
 }
 
-/* The faces on both sides of a line, if it is an edge; a line between round surfaces is kept itself. */
-static void addLine(Search *w, const McdLine *line) {
+/* Adds the faces on both sides of an edge. False: there are none. */
+static MeBool addFlatsBeside(Search *w, const McdLine *line) {
     MeBool hasFlat = MEFALSE;
-    if (line->length < minWidth * w->s->extent || isRulingKnown(w, line->normal, line->along))
-        return;
     for (int side = 0; side < 2; side++) {
         double turned[3];
         MeBool isFlat;
@@ -332,12 +334,21 @@ static void addLine(Search *w, const McdLine *line) {
         hasFlat = (isFlat && addFlat(w, turned, line->end[0])) || hasFlat;
     }
     spread(w);
-    if (hasFlat || w->found.rulings == MCD_RULINGS)
+    return hasFlat;
+}
+
+/* A line of a round side, or an edge between two of them, is kept; of other edges the faces beside. */
+static void addLine(Search *w, const McdLine *line) {
+    double twist;
+    if (line->length < minWidth * w->s->extent || isRulingKnown(w, line->normal, line->along))
+        return;
+    if ((!isOnRoundSide(w->s, line, &twist) && addFlatsBeside(w, line)) || w->found.rulings == MCD_RULINGS)
         return;
     McdRuling *r = &w->ruling[w->found.rulings++];
     mcd_copy(r->normal, line->normal);
     mcd_copy(r->along, line->along);
-    r->twist = twistOf(w->s, line);
+    r->length = line->length;
+    r->twist = twist;
 }
 
 /* Halves the way between two directions, and goes on with the half whose support points are farther apart, as long as

@@ -156,39 +156,61 @@ MeBool mcd_sampledLine(const McdSampled *s, const double n[3], const double alon
     return isLine;
 }
 
+/* The line with a normal that is known to 1e-6 rad. */
+static MeBool confirmLine(const McdSampled *s, const double n[3], const double along[3], double length, McdLine *line) {
+    static const double tilt = 1e-6;
+    mcd_sampledBeside(s, n, -tilt, along, line->end[0]);
+    mcd_sampledBeside(s, n, tilt, along, line->end[1]);
+    return alignLine(line, n) && line->length > length / 2 &&
+           mcd_sampledHeight(s, line->normal, line->end[0]) <= mcd_exactLine * s->extent;
+}
+
+/* v turned by an angle about an axis of length 1. */
+static void turnAbout(const double axis[3], double angle, const double v[3], double turned[3]) {
+    double across[3];
+    const double along = mcd_dot(axis, v) * (1 - cos(angle));
+    mcd_cross(across, axis, v);
+    for (int k = 0; k < 3; k++)
+        turned[k] = v[k] * cos(angle) + across[k] * sin(angle) + axis[k] * along;
+    mcd_scale(turned, turned, 1 / mcd_length(turned));
+}
+
 /* Goes on to the line whose normal m is nearest to n. As m moves across the line, along w = m x a, its direction a
- * turns by some share of that, the twist: d(n . w) = -(n . m + twist n . a). */
+ * moves along w by some share of that, the twist: both turn about the axis twist m - a. On solids of revolution and
+ * cylinders of any section the twist is constant, and the first turn leads to the line. */
 static MeBool nearestLine(const McdSampled *s, const double n[3], const McdRuling *start, McdLine *line) {
     enum { STEPS = 12 };
-    static const double maxTurn = .2, near = .01, exact = 1e-9; /* rad */
-    double m[3], a[3], twist = start->twist;
-    MeBool isLine = MEFALSE, isExact = MEFALSE;
-    mcd_copy(m, start->normal);
-    mcd_copy(a, start->along);
+    static const double maxTurn = .4, near = .01, exact = 1e-9; /* rad */
+    McdRuling here = *start;
+    MeBool isExact = MEFALSE;
     for (int i = 0; i < STEPS; i++) {
-        double w[3], next[3], along[3];
-        McdLine there;
-        mcd_cross(w, m, a);
-        const double to = atan2(mcd_dot(n, w), mcd_dot(n, m) + twist * mcd_dot(n, a));
+        double axis[3], m[3], a[3], w[3], across[3];
+        mcd_scale(axis, here.normal, here.twist);
+        mcd_mad(axis, axis, -1, here.along);
+        mcd_scale(axis, axis, 1 / mcd_length(axis));
+        mcd_cross(across, here.normal, n);
+        const double to =
+            atan2(mcd_dot(axis, across), mcd_dot(here.normal, n) - mcd_dot(here.normal, axis) * mcd_dot(n, axis));
         const double turned = MeCLAMP(to, -maxTurn, maxTurn);
         if (isExact && fabs(turned) < exact)
-            break;
-        mcd_scale(next, m, cos(turned));
-        mcd_mad(next, next, sin(turned), w);
-        mcd_mad(along, a, twist * turned, w);
-        mcd_mad(along, along, -mcd_dot(along, next), next);
-        mcd_scale(along, along, 1 / mcd_length(along));
-        isExact = fabs(turned) < near;
-        if (!mcd_sampledLine(s, next, along, isExact ? mcd_exactLine : 1e-5, &there))
-            break;
-        if (fabs(turned) > 1e-4)
-            twist = (mcd_dot(there.along, w) - mcd_dot(a, w)) / turned;
-        *line = there;
-        isLine = METRUE;
-        mcd_copy(m, there.normal);
-        mcd_copy(a, there.along);
+            return METRUE;
+        turnAbout(axis, turned, here.normal, m);
+        turnAbout(axis, turned, here.along, a);
+        isExact = confirmLine(s, m, a, here.length, line);
+        if (!isExact) {
+            isExact = fabs(turned) < near;
+            if (!mcd_sampledLine(s, m, a, isExact ? mcd_exactLine : 1e-5, line))
+                return MEFALSE;
+        }
+        mcd_cross(w, here.normal, here.along);
+        const double moved = mcd_dot(line->normal, w);
+        if (fabs(moved) > 1e-4)
+            here.twist = mcd_dot(line->along, w) / moved;
+        mcd_copy(here.normal, line->normal);
+        mcd_copy(here.along, line->along);
+        here.length = line->length;
     }
-    return isLine && isExact;
+    return isExact;
 }
 
 /* m: the radius of curvature of the surface with the normal n in the direction across. */
@@ -422,7 +444,7 @@ static void chooseFlat(const McdSampled *s, const double n[3], const double fart
 }
 
 static void chooseLine(const McdSampled *s, const double n[3], const double farthest[3], Choice *c) {
-    static const double reach = .3; /* rad: a line may be so much nearer than the nearest one that is known */
+    static const double reach = .4; /* rad: a line may be so much nearer than the nearest one that is known */
     const McdFeatures *k = s->features;
     const McdRuling *start = 0;
     double max = -INFINITY;

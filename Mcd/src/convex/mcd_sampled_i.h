@@ -26,8 +26,8 @@ typedef struct McdFlat {
 
 /* One of the straight lines of a round side, or of an edge between round sides. */
 typedef struct McdRuling {
-    double normal[3], along[3];
-    double twist; /* rad per rad: how far `along` turns as the normal turns across it */
+    double normal[3], along[3], length; /* m */
+    double twist;                       /* rad per rad: how far `along` turns as the normal turns across it */
 } McdRuling;
 
 /* Limits of memory: 58 kilobytes a shape at most. Faces beyond the limit have their farthest point alone. */
