@@ -31,7 +31,7 @@ typedef struct Search {
 
 /* ---- a face's border --------------------------------------------------------------------------------------------- */
 
-enum { MAX_BORDER = 48 };
+enum { MAX_BORDER = MCD_FACE_POINTS - 1 };
 
 /* Counter-clockwise from outside. */
 typedef struct Border {
@@ -130,9 +130,15 @@ static double circleOf(const McdSampled *s, const double normal[3], double centr
         mcd_mad(centre, centre, 1. / MCD_RING, ring[i]);
     for (int i = 0; i < MCD_RING; i++)
         radius += sqrt(mcd_distanceSquared(ring[i], centre)) / MCD_RING;
-    for (int i = 0; i < MCD_RING; i++)
-        if (fabs(sqrt(mcd_distanceSquared(ring[i], centre)) - radius) > 4 * mcd_slack * s->extent)
+    for (int i = 0; i < MCD_RING; i++) { /* the corners of a regular polygon are not where a circle's points would be */
+        double x[3], y[3], sine[3];
+        mcd_sub(x, ring[i], centre);
+        mcd_sub(y, ring[(i + 1) % MCD_RING], centre);
+        mcd_cross(sine, x, y);
+        if (fabs(mcd_length(x) - radius) > 4 * mcd_slack * s->extent ||
+            fabs(mcd_length(sine) / (radius * radius) - .38268343236508977) > 1e-6)
             return 0;
+    }
     return radius;
 }
 
@@ -301,11 +307,20 @@ static void considerTriangle(Search *w, const Sample *a, const Sample *b, const 
 
 /* ---- lines ------------------------------------------------------------------------------------------------------- */
 
+enum { APART = 2 }; /* steps of the grid between the lines that are kept of one side */
+
+/* Whether the line is one of a side of which a line is kept nearby. */
 static MeBool isRulingKnown(const Search *w, const double normal[3], const double along[3]) {
-    const double near = 1 - 2 * step * step; /* cosine: two steps */
-    for (int i = 0; i < w->found.rulings; i++)
-        if (mcd_dot(w->ruling[i].normal, normal) > near && fabs(mcd_dot(w->ruling[i].along, along)) > near)
+    const double near = 1 - step * step / 8; /* cosine */
+    for (int i = 0; i < w->found.rulings; i++) {
+        const McdRuling *r = &w->ruling[i];
+        double m[3], a[3];
+        if (mcd_dot(r->normal, normal) < 1 - APART * APART * step * step / 2)
+            continue;
+        mcd_rulingTurn(r, mcd_rulingAngle(r, normal), m, a);
+        if (mcd_dot(m, normal) > near && fabs(mcd_dot(a, along)) > near)
             return METRUE;
+    }
     return MEFALSE;
 }
 
@@ -340,15 +355,27 @@ static MeBool addFlatsBeside(Search *w, const McdLine *line) {
 /* A line of a round side, or an edge between two of them, is kept; of other edges the faces beside. */
 static void addLine(Search *w, const McdLine *line) {
     double twist;
-    if (line->length < minWidth * w->s->extent || isRulingKnown(w, line->normal, line->along))
-        return;
-    if ((!isOnRoundSide(w->s, line, &twist) && addFlatsBeside(w, line)) || w->found.rulings == MCD_RULINGS)
+    if (line->length < minWidth * w->s->extent || w->found.rulings == MCD_RULINGS ||
+        isRulingKnown(w, line->normal, line->along) || (!isOnRoundSide(w->s, line, &twist) && addFlatsBeside(w, line)))
         return;
     McdRuling *r = &w->ruling[w->found.rulings++];
     mcd_copy(r->normal, line->normal);
     mcd_copy(r->along, line->along);
     r->length = line->length;
     r->twist = twist;
+}
+
+/* Adds the other lines of the side that the line is on. */
+static void addSide(Search *w, const McdLine *line) {
+    int i = w->found.rulings;
+    for (addLine(w, line); i < w->found.rulings; i++)
+        for (int side = -1; side <= 1; side += 2) {
+            double normal[3], along[3];
+            McdLine next;
+            mcd_rulingTurn(&w->ruling[i], 1.01 * side * APART * step, normal, along);
+            if (!isRulingKnown(w, normal, along) && mcd_sampledLine(w->s, normal, along, mcd_exactLine, &next))
+                addLine(w, &next);
+        }
 }
 
 /* Halves the way between two directions, and goes on with the half whose support points are farther apart, as long as
@@ -377,7 +404,7 @@ static void considerEdge(Search *w, const Sample *from, const Sample *to) {
         return;
     mcd_scale(along, along, 1 / length);
     if (!isRulingKnown(w, middle.d, along) && mcd_sampledLine(w->s, middle.d, along, mcd_exactLine, &line))
-        addLine(w, &line);
+        addSide(w, &line);
 }
 
 /* ---- the whole shape --------------------------------------------------------------------------------------------- */

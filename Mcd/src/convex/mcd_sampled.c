@@ -175,27 +175,41 @@ static void turnAbout(const double axis[3], double angle, const double v[3], dou
     mcd_scale(turned, turned, 1 / mcd_length(turned));
 }
 
-/* Goes on to the line whose normal m is nearest to n. As m moves across the line, along w = m x a, its direction a
- * moves along w by some share of that, the twist: both turn about the axis twist m - a. On solids of revolution and
- * cylinders of any section the twist is constant, and the first turn leads to the line. */
+/* As the normal m of a line moves across it, along w = m x a, its direction a moves along w by some share of that, the
+ * twist: both turn about the axis twist m - a, which is constant on solids of revolution and cylinders of any section.
+ */
+static void axisOf(const McdRuling *r, double axis[3]) {
+    mcd_scale(axis, r->normal, r->twist);
+    mcd_mad(axis, axis, -1, r->along);
+    mcd_scale(axis, axis, 1 / mcd_length(axis));
+}
+
+double mcd_rulingAngle(const McdRuling *r, const double n[3]) {
+    double axis[3], across[3];
+    axisOf(r, axis);
+    mcd_cross(across, r->normal, n);
+    return atan2(mcd_dot(axis, across), mcd_dot(r->normal, n) - mcd_dot(r->normal, axis) * mcd_dot(n, axis));
+}
+
+void mcd_rulingTurn(const McdRuling *r, double angle, double normal[3], double along[3]) {
+    double axis[3];
+    axisOf(r, axis);
+    turnAbout(axis, angle, r->normal, normal);
+    turnAbout(axis, angle, r->along, along);
+}
+
+/* Goes on to the line whose normal is nearest to n. */
 static MeBool nearestLine(const McdSampled *s, const double n[3], const McdRuling *start, McdLine *line) {
     enum { STEPS = 12 };
     static const double maxTurn = .4, near = .01, exact = 1e-9; /* rad */
     McdRuling here = *start;
     MeBool isExact = MEFALSE;
     for (int i = 0; i < STEPS; i++) {
-        double axis[3], m[3], a[3], w[3], across[3];
-        mcd_scale(axis, here.normal, here.twist);
-        mcd_mad(axis, axis, -1, here.along);
-        mcd_scale(axis, axis, 1 / mcd_length(axis));
-        mcd_cross(across, here.normal, n);
-        const double to =
-            atan2(mcd_dot(axis, across), mcd_dot(here.normal, n) - mcd_dot(here.normal, axis) * mcd_dot(n, axis));
-        const double turned = MeCLAMP(to, -maxTurn, maxTurn);
+        double m[3], a[3], w[3];
+        const double to = mcd_rulingAngle(&here, n), turned = MeCLAMP(to, -maxTurn, maxTurn);
         if (isExact && fabs(turned) < exact)
             return METRUE;
-        turnAbout(axis, turned, here.normal, m);
-        turnAbout(axis, turned, here.along, a);
+        mcd_rulingTurn(&here, turned, m, a);
         isExact = confirmLine(s, m, a, here.length, line);
         if (!isExact) {
             isExact = fabs(turned) < near;
@@ -323,6 +337,30 @@ static void makeRim(const McdShape *shape, const McdFlat *flat, const double off
     f->isDisc = METRUE;
 }
 
+/* The edge of a face that is nearest to the direction n: that of a plate, at which n looks along the face. */
+static void makeEdge(const McdShape *shape, const McdFlat *flat, const double n[3], McdFace *f) {
+    const McdFeatures *k = shape->sampled->features;
+    const double(*corner)[3] = mcd_constRows(k->corner + flat->first);
+    double best = -INFINITY, normal[3] = {0, 0, 0};
+    int first = 0;
+    for (int i = 0; i < flat->count; i++) {
+        double along[3], out[3];
+        mcd_sub(along, corner[(i + 1) % flat->count], corner[i]);
+        mcd_scale(along, along, 1 / mcd_length(along));
+        mcd_cross(out, along, flat->normal);
+        if (!(mcd_dot(out, n) > best))
+            continue;
+        best = mcd_dot(out, n);
+        first = i;
+        mcd_mad(normal, n, -mcd_dot(n, along), along);
+    }
+    mcd_scale(normal, normal, 1 / mcd_length(normal));
+    mcd_shapeDirection(shape, normal[0], normal[1], normal[2], f->normal);
+    addPoint(shape, f, corner[first], 0);
+    addPoint(shape, f, corner[(first + 1) % flat->count], 1);
+    f->id = MCD_FLATS + 1 + (MeU32)first;
+}
+
 /* The face, its border moved along its rounding to the direction n. */
 static void makeFlat(const McdShape *shape, const McdFlat *flat, double rounding, const double n[3], McdFace *f) {
     const McdFeatures *k = shape->sampled->features;
@@ -344,16 +382,24 @@ static void makeFlat(const McdShape *shape, const McdFlat *flat, double rounding
 
 /* ---- faces from lines -------------------------------------------------------------------------------------------- */
 
-/* The rounded end of the line that is not in the direction n: by the support point in the mirrored direction. */
-static void farEnd(const McdSampled *s, const McdLine *line, int far, const double n[3], double point[3]) {
-    double mirrored[3], there[3], moved[3];
-    mcd_mad(mirrored, n, -2 * mcd_dot(n, line->along), line->along);
-    mcd_sampledPoint(s, mirrored, there);
-    const double radius = roundingAt(there, mirrored, line->end[far], line->normal);
-    roundedPoint(line->end[far], radius, mirrored, line->normal, moved);
-    mcd_copy(point, line->end[far]);
-    if (isNear(s, moved, there))
-        roundedPoint(line->end[far], radius, n, line->normal, point);
+/* An end as it is seen from the direction n: the support point there, if that is on the end's rounding. The radius of
+ * the end that is not in that direction is found by the support point in the mirrored direction. */
+static void endToward(const McdSampled *s, const McdLine *line, int end, const double n[3], const double farthest[3],
+                      double point[3]) {
+    const double up = mcd_dot(n, line->along);
+    const MeBool isFar = end != (up > 0);
+    double d[3], there[3], at[3];
+    mcd_copy(d, n);
+    mcd_copy(there, farthest);
+    if (isFar) {
+        mcd_mad(d, n, -2 * up, line->along);
+        mcd_sampledPoint(s, d, there);
+    }
+    const double radius = roundingAt(there, d, line->end[end], line->normal);
+    roundedPoint(line->end[end], radius, d, line->normal, at);
+    mcd_copy(point, line->end[end]);
+    if (isNear(s, at, there))
+        roundedPoint(there, isFar ? radius : 0, n, d, point);
 }
 
 /* The ends are named in the order of the coordinate in which they differ most. */
@@ -361,16 +407,13 @@ static void makeLine(const McdShape *shape, const McdLine *line, const double n[
                      McdFace *f) {
     const McdSampled *s = shape->sampled;
     const double *along = line->along;
-    const int near = mcd_dot(n, along) > 0;
     double end[2][3];
     int k = fabs(along[1]) > fabs(along[0]);
     k = fabs(along[2]) > fabs(along[k]) ? 2 : k;
     const int low = along[k] < 0;
     memcpy(end, line->end, sizeof end);
-    if (fabs(mcd_dot(n, along)) > 1e-6) {
-        mcd_copy(end[near], farthest);
-        farEnd(s, line, !near, n, end[!near]);
-    }
+    for (int i = 0; i < 2 && fabs(mcd_dot(n, along)) > 1e-6; i++)
+        endToward(s, line, i, n, farthest, end[i]);
     mcd_shapeDirection(shape, line->normal[0], line->normal[1], line->normal[2], f->normal);
     f->curvatureRadius = radiusAcrossLine(s, line);
     f->id = MCD_FLATS;
@@ -378,14 +421,29 @@ static void makeLine(const McdShape *shape, const McdLine *line, const double n[
     addPoint(shape, f, end[!low], 1);
 }
 
-/* Whether the support point in the direction n is an end of the line, or on the rounding of one. */
+/* Whether the surface is curved in both directions where the outward normal is n, not at a rim or a corner. */
+static MeBool isCurved(const McdSampled *s, const double n[3]) {
+    double axis[2][3], moved[2][3], area[3];
+    mcd_basis(n, axis[0], axis[1]);
+    for (int i = 0; i < 2; i++) {
+        double back[3];
+        mcd_sampledBeside(s, n, difference, axis[i], moved[i]);
+        mcd_sampledBeside(s, n, -difference, axis[i], back);
+        mcd_sub(moved[i], moved[i], back);
+    }
+    mcd_cross(area, moved[0], moved[1]);
+    return mcd_length(area) > 1e-3 * (mcd_dot(moved[0], moved[0]) + mcd_dot(moved[1], moved[1]));
+}
+
+/* Whether a line is what touches in the direction n: at a small tilt, or with an end, or the rounding of an end, or
+ * beside one, on a rim that is no circle. */
 static MeBool isOnLine(const McdSampled *s, const McdLine *line, const double n[3], const double farthest[3]) {
-    const int near = mcd_dot(n, line->along) > 0;
+    const double *end = line->end[mcd_dot(n, line->along) > 0];
     double at[3];
     if (mcd_dot(n, line->normal) > 1 - wide * wide / 2)
         return METRUE;
-    roundedPoint(line->end[near], roundingAt(farthest, n, line->end[near], line->normal), n, line->normal, at);
-    return isNear(s, at, farthest);
+    roundedPoint(end, roundingAt(farthest, n, end, line->normal), n, line->normal, at);
+    return isNear(s, at, farthest) || !isCurved(s, n);
 }
 
 /* ---- the nearest of all ------------------------------------------------------------------------------------------ */
@@ -403,7 +461,7 @@ static MeBool isOnRounding(const McdSampled *s, const McdFlat *flat, const doubl
     mcd_sampledBeside(s, flat->normal, mcd_besideFlat, out, border);
     *rounding = roundingAt(farthest, n, flat->centre, flat->normal);
     roundedPoint(border, *rounding, n, flat->normal, at);
-    return isNear(s, at, farthest);
+    return fabs(mcd_heightOver(at, farthest, out)) <= onBorder * s->extent; /* along an edge both may be anywhere */
 }
 
 static const McdFlat *nearestFlat(const McdFeatures *k, const double n[3]) {
@@ -443,6 +501,11 @@ static void chooseFlat(const McdSampled *s, const double n[3], const double fart
     }
 }
 
+/* Whether the line is on the rounding of an edge of the face. */
+static MeBool isEdgeOfRounded(const McdSampled *s, const McdLine *line, const Choice *c) {
+    return c->rounding > 0 && radiusAcrossLine(s, line) < c->rounding * (1 + 1e-3);
+}
+
 static void chooseLine(const McdSampled *s, const double n[3], const double farthest[3], Choice *c) {
     static const double reach = .4; /* rad: a line may be so much nearer than the nearest one that is known */
     const McdFeatures *k = s->features;
@@ -458,7 +521,7 @@ static void chooseLine(const McdSampled *s, const double n[3], const double fart
     }
     if (!start || (c->flat && acos(MeMIN(c->cosine, 1)) + reach < acos(MeCLAMP(max, -1, 1))) ||
         !nearestLine(s, n, start, &line) || (c->flat && mcd_dot(line.normal, n) <= c->cosine + 1e-12) ||
-        !isOnLine(s, &line, n, farthest))
+        !isOnLine(s, &line, n, farthest) || isEdgeOfRounded(s, &line, c))
         return;
     c->isLine = METRUE;
     c->line = line;
@@ -476,13 +539,18 @@ static MeBool isSharp(const McdSampled *s, const double n[3], const double farth
 
 static void findFace(const McdShape *shape, const double direction[3], McdFace *f) {
     enum { POINT = MCD_FLATS + 1 };
+    static const double edgeOn = .1; /* cosine: of a plate; a tetrahedron's faces are at .33 of any direction */
     const McdSampled *s = shape->sampled;
     const McdFeatures *k = s->features;
     double n[3], farthest[3];
     Choice c = {.flat = 0};
     ownDirection(shape, direction, n);
     if (k->isPolyhedron) {
-        makeFlat(shape, nearestFlat(k, n), 0, n, f);
+        const McdFlat *flat = nearestFlat(k, n);
+        if (mcd_dot(flat->normal, n) > edgeOn)
+            makeFlat(shape, flat, 0, n, f);
+        else
+            makeEdge(shape, flat, n, f);
         return;
     }
     mcd_sampledPoint(s, n, farthest);

@@ -77,6 +77,10 @@ void mcd_sampledRing(const McdSampled *s, const double n[3], double k, int count
 /* Finds the straight line of the surface whose normal is nearest to n, which is near one, and which goes nearly along
  * the direction given; false: there is none. Rounded ends are approached from outside. */
 MeBool mcd_sampledLine(const McdSampled *s, const double n[3], const double along[3], double exact, McdLine *line);
+/* The angle by which a line has to turn about its axis for its normal to be nearest to n; and the line that has turned
+ * so, as far as the axis is constant. */
+double mcd_rulingAngle(const McdRuling *r, const double n[3]);
+void mcd_rulingTurn(const McdRuling *r, double angle, double normal[3], double along[3]);
 /* Of `exact`, a share of the extent: how far the shape may be above the line. */
 static const double mcd_exactLine = 1e-12;
 
