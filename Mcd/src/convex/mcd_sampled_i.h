@@ -1,6 +1,6 @@
 /* Inside Mcd: convex shapes that are known by their support function alone, which is the program's. Their flat faces
  * and the straight lines of their round sides are found once, when a shape gets its data (mcd_features.c); contacts
- * take the nearest one (mcd_sampled.c). */
+ * take the nearest one (mcd_sampled_face.c). */
 #ifndef MCD_SAMPLED_H
 #define MCD_SAMPLED_H
 
@@ -67,6 +67,8 @@ void mcd_sampledPoint(const McdSampled *s, const double direction[3], double poi
 void mcd_sampledBeside(const McdSampled *s, const double n[3], double k, const double along[3], double point[3]);
 /* The same, beyond mcd_sampledEnter. */
 void mcd_sampledCall(const McdSampled *s, const double direction[3], double point[3]);
+/* A direction in the shape's own frame, of length 1; z for one without length. */
+void mcd_sampledDirection(const McdShape *s, const double direction[3], double own[3]);
 /* m: how far the shape is above the plane through a point. */
 double mcd_sampledHeight(const McdSampled *s, const double normal[3], const double point[3]);
 /* Whether two points are one, to within rounding. */
