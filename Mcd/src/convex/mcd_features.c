@@ -443,6 +443,34 @@ static void searchOctant(Search *w, int octant) {
     }
 }
 
+/* Whether the support points in directions that differ by a turn about z differ by that turn. */
+static MeBool isTurned(const McdSampled *s) {
+    enum { LATITUDES = 7, LONGITUDES = 5 };
+    for (int i = 0; i < LATITUDES; i++) {
+        const double up = cos((i + .6) * halfTurn / LATITUDES), aside = sqrt(1 - up * up);
+        double radius = 0, height = 0;
+        for (int j = 0; j < LONGITUDES; j++) {
+            const double angle = (j + .2) * 2 * halfTurn / LONGITUDES, c = cos(angle), k = sin(angle);
+            const double d[3] = {aside * c, aside * k, up};
+            double p[3];
+            mcd_sampledPoint(s, d, p);
+            radius = j == 0 ? c * p[0] + k * p[1] : radius;
+            height = j == 0 ? p[2] : height;
+            const double at[3] = {radius * c, radius * k, height};
+            if (!mcd_sampledEqual(s, p, at))
+                return MEFALSE;
+        }
+    }
+    return METRUE;
+}
+
+static MeBool hasDisc(const Search *w) {
+    for (int i = 0; i < w->found.flats; i++)
+        if (w->flat[i].radius > 0 && fabs(w->flat[i].normal[2]) > 1 - mcd_slack * mcd_slack)
+            return isTurned(w->s);
+    return MEFALSE;
+}
+
 /* A copy that is as large as what it holds. */
 static McdFeatures *copyFound(const Search *w) {
     const McdFeatures *from = &w->found;
@@ -473,6 +501,7 @@ McdFeatures *mcd_sampledFeatures(const McdSampled *s) {
     w->found = (McdFeatures){.flats = 0};
     for (int octant = 0; octant < 8 && !w->found.isPolyhedron; octant++)
         searchOctant(w, octant);
+    w->found.hasDisc = hasDisc(w);
     McdFeatures *found = copyFound(w);
     MeMemoryGive(w);
     return found;

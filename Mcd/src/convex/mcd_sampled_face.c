@@ -555,3 +555,14 @@ double mcd_sampledRadius(const McdShape *s, const double outward[3], const doubl
     (void)point;
     return radius;
 }
+
+double mcd_sampledRim(const McdShape *s, const double outward[3], const double point[3]) {
+    double n[3];
+    if (!s->sampled->features->hasDisc)
+        return 0;
+    const MeProgramCall before = mcd_sampledEnter();
+    mcd_sampledDirection(s, outward, n);
+    const MeBool isSmooth = isCurved(s->sampled, n);
+    MeProgramLeave(&before);
+    return isSmooth ? 0 : mcd_discsRim(s, outward, point);
+}

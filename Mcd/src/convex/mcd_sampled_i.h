@@ -40,6 +40,7 @@ typedef struct McdFeatures {
     McdRuling *ruling;
     int flats, corners, rulings;
     MeBool isPolyhedron; /* the flat faces are the whole surface */
+    MeBool hasDisc;      /* the shape is a solid of revolution about z with a flat end */
 } McdFeatures;
 
 /* One shape, in its own frame. */
@@ -101,6 +102,7 @@ void mcd_sampledFace(const McdShape *s, const double direction[3], McdFace *f);
  * and normal, and its radius of curvature. False: there is none. */
 MeBool mcd_sampledLineToward(const McdShape *s, const double direction[3], McdLine *line, double *radius);
 double mcd_sampledRadius(const McdShape *s, const double outward[3], const double point[3]);
+double mcd_sampledRim(const McdShape *s, const double outward[3], const double point[3]);
 
 /* The middle and half the sides of the shape's box, of which none is less than a thousandth of the longest. */
 void mcd_sampledBox(const McdSampled *s, double centre[3], double half[3]);

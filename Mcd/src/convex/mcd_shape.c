@@ -1,5 +1,5 @@
 /* Convex shapes at a place: their axes and support points. */
-#include "convex/mcd_kind_i.h"
+#include "convex/mcd_sampled_i.h"
 #include "convex/mcd_vector_i.h"
 
 #include <string.h>
@@ -85,6 +85,10 @@ void mcd_support(const McdShape *s, const double direction[3], double point[3]) 
 
 double mcd_surfaceRadius(const McdShape *s, const double outward[3], const double point[3]) {
     return s->kind->radius ? s->kind->radius(s, outward, point) : s->rounding;
+}
+
+MeBool mcd_shapeHasRim(const McdShape *s) {
+    return s->kind->rim && (!s->kind->isSampled || s->sampled->features->hasDisc);
 }
 
 void mcd_shapeBounds(const McdShape *s, double low[3], double high[3]) {

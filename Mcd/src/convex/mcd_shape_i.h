@@ -146,6 +146,8 @@ void mcd_shapeBounds(const McdShape *s, double low[3], double high[3]);
 /* The radius of curvature of a round surface at a point with the unit normal `outward`; 0 where it is not round. See
  * McdContactGetRadius. */
 double mcd_surfaceRadius(const McdShape *s, const double outward[3], const double point[3]);
+/* Whether the shape has circular rims about its z axis (McdKind.rim). */
+MeBool mcd_shapeHasRim(const McdShape *s);
 
 /* ---- manifolds ------------------------------------------------------------------------------------------------ */
 

@@ -249,6 +249,7 @@ static void fillKind(McdSampledType *type) {
                            .support = mcd_sampledSupport,
                            .face = mcd_sampledFace,
                            .radius = mcd_sampledRadius,
+                           .rim = mcd_sampledRim,
                            .isSampled = METRUE,
                            .update = update,
                            .rank = MCD_RANK_OTHER};

@@ -110,7 +110,7 @@ void mcd_meshAddContact(McdMeshQuery *q, const McdMeshTriangle *t, const double 
     c->feature = mcd_meshHash(feature, quantizedNormal(normal));
     c->element = t->element;
     c->isCut = isCut;
-    c->isVertex = !isCut && !q->shape.kind->rim;
+    c->isVertex = !isCut && !mcd_shapeHasRim(&q->shape);
 }
 
 MeBool mcd_meshAddPoints(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], const McdPolygon *p,
