@@ -1,5 +1,5 @@
 /* Convex shapes as a program would add them, by their support functions (McdConvexType.h): an ellipsoid, a tapered
- * capsule (the hull of two balls on the z axis), a box, a cylinder. */
+ * capsule (the hull of two balls on the z axis), a box, a cylinder, a cone, a polyhedron. */
 #ifndef OWN_SHAPES_H
 #define OWN_SHAPES_H
 
@@ -149,6 +149,55 @@ static const McdConvexFunctions rodFunctions = {.support = rodSupport, .rounding
 static inline McdGeometryID rod_create(McdFrameworkID frame, double radius, double height) {
     const Can c = {(double)(MeReal)radius, (double)(MeReal)height / 2, 1};
     return McdConvexCreate(frame, McdFrameworkRegisterConvexType(frame, "Rod", sizeof c, &rodFunctions), &c);
+}
+
+/* ---- cone, polyhedron -------------------------------------------------------------------------------------------- */
+
+/* The tip is `length` above the base, which is at z = -low. */
+typedef struct Horn {
+    double radius, length, low;
+} Horn;
+
+static inline void MEAPI hornSupport(const void *data, const double d[3], double point[3]) {
+    const Horn *h = data;
+    const double across = sqrt(d[0] * d[0] + d[1] * d[1]), k = across > 0 ? h->radius / across : 0;
+    const int isTip = h->length * d[2] > h->radius * across;
+    point[0] = isTip ? 0 : k * d[0];
+    point[1] = isTip ? 0 : k * d[1];
+    point[2] = isTip ? h->length - h->low : -h->low;
+}
+
+static const McdConvexFunctions hornFunctions = {.support = hornSupport};
+
+/* The cone of McdConeCreate. */
+static inline McdGeometryID horn_create(McdFrameworkID frame, double radius, double length) {
+    const Horn h = {(double)(MeReal)radius, (double)(MeReal)length, (double)((MeReal)length / 4)};
+    return McdConvexCreate(frame, McdFrameworkRegisterConvexType(frame, "Horn", sizeof h, &hornFunctions), &h);
+}
+
+enum { GEM_CORNERS = 120 };
+
+typedef struct Gem {
+    int count;
+    double corner[GEM_CORNERS][3];
+} Gem;
+
+static inline void MEAPI gemSupport(const void *data, const double d[3], double point[3]) {
+    const Gem *g = data;
+    double max = -INFINITY;
+    for (int i = 0; i < g->count; i++) {
+        const double *c = g->corner[i], height = c[0] * d[0] + c[1] * d[1] + c[2] * d[2];
+        if (height <= max)
+            continue;
+        max = height;
+        memcpy(point, c, 3 * sizeof *point);
+    }
+}
+
+static const McdConvexFunctions gemFunctions = {.support = gemSupport};
+
+static inline McdGeometryID gem_create(McdFrameworkID frame, const Gem *g) {
+    return McdConvexCreate(frame, McdFrameworkRegisterConvexType(frame, "Gem", sizeof *g, &gemFunctions), g);
 }
 
 #endif

@@ -271,6 +271,112 @@ TEST(a_can_stands_on_four_points_of_its_rim) {
     }
 }
 
+/* ---- at any tilt ------------------------------------------------------------------------------------------------- */
+
+/* A hull of corners on a ball, and the library's of the same corners. */
+static Twins makeGems(int corners, double size) {
+    MeVector3 v[GEM_CORNERS];
+    Gem gem = {.count = corners};
+    for (int i = 0; i < corners; i++) {
+        anyVector(v[i], 1);
+        const double k = size / sqrt((double)MeVector3Dot(v[i], v[i]));
+        for (int j = 0; j < 3; j++) {
+            v[i][j] *= (MeReal)k;
+            gem.corner[i][j] = (double)v[i][j];
+        }
+    }
+    return (Twins){gem_create(frame, &gem), McdConvexMeshCreateHull(frame, (const MeVector3 *)v, corners, 0), size, 0};
+}
+
+/* Whether a contact's gap is at the margin to within rounding: it may be there or not. */
+static MeBool isAtMargin(double margin, double size) {
+    for (int i = 0; i < result.contactCount; i++)
+        if (fabs(McdContactGetSeparation(&contact[i]) - margin) < 1e-5 * size)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Of other contacts than its twin's: how many poses of all. Shapes turn freely, and are at most an eighth of their size
+ * deep. `ground`: a surface along z = 0; else both are in all poses. */
+static int countOthers(McdModelID model[2], McdModelID with[2], MeMatrix4 tm, MeMatrix4 place, const Twins *t,
+                       MeBool isOnGround, int poses) {
+    McdContact kept[40];
+    int others = 0;
+    for (int i = 0; i < poses;) {
+        const double size = t->size, margin = (double)McdModelGetContactTolerance(model[0]) * 2;
+        anyTurn(place);
+        if (isOnGround)
+            MeMatrix4TMMakeIdentity(place);
+        anyPlace(tm, 1.6 * size);
+        tm[3][2] = isOnGround ? MeFabs(tm[3][2]) : tm[3][2];
+        const int count = meet(model[0], with[0]);
+        const double depth = deepest();
+        const MeBool isUnsure = isAtMargin(margin, size);
+        memcpy(kept, contact, sizeof kept);
+        const int expected = meet(model[1], with[1]);
+        if (expected == 0 || deepest() < -size / 8 || isUnsure || isAtMargin(margin, size))
+            continue;
+        i++;
+        assert_near(depth, deepest(), 1e-6 * size);
+        double worst = count == expected ? 0 : INFINITY;
+        for (int j = 0; j < result.contactCount; j++) {
+            double nearest = INFINITY;
+            for (int k = 0; k < count; k++) {
+                MeVector3 offset;
+                MeVector3Subtract(offset, kept[k].position, contact[j].position);
+                nearest = fmin(nearest, (double)MeVector3Magnitude(offset));
+            }
+            worst = fmax(worst, nearest);
+        }
+        others += worst > 1e-5 * size;
+    }
+    return others;
+}
+
+/* On a plane, a mesh, a ball; and, where nothing is round but ends with a rounding, on a box and on itself. */
+static void compareAtAnyTilt(const Twins *t, MeBool isRound) {
+    enum { GROUNDS = 3, OTHERS_ALL = 5, POSES = 400 };
+    static const int index[] = {0, 1, 2, 0, 2, 3};
+    MeVector3 vertex[4] = {{-40, -40, 0}, {50, -40, 0}, {50, 50, 0}, {-40, 50, 0}};
+    MeMatrix4 tm, place;
+    McdGeometryID other[] = {McdPlaneCreate(frame),
+                             McdMeshCreateWithFlags(frame, (const MeVector3 *)vertex, 4, index, 2, 0, kMcdMeshTwoSided),
+                             McdSphereCreate(frame, (MeReal)t->size), McdBoxCreate(frame, 1, (MeReal)1.2, (MeReal).8),
+                             0};
+    for (int i = 0; i < (isRound ? GROUNDS : OTHERS_ALL); i++) {
+        McdModelID model[2], with[2];
+        for (int k = 0; k < 2; k++) {
+            model[k] = McdModelCreate(k ? t->builtIn : t->own);
+            with[k] = McdModelCreate(other[i] ? other[i] : k ? t->builtIn : t->own);
+            McdModelSetTransformPtr(model[k], tm);
+            McdModelSetTransformPtr(with[k], place);
+        }
+        const int others = countOthers(model, with, tm, place, t, i < 2, POSES);
+        /* of five points that are equally far or deep another one may be left out */
+        ck_assert_msg(others <= (i < GROUNDS ? 0 : POSES / 200), "%d: %d of %d differ", i, others, POSES);
+        for (int k = 0; k < 2; k++) {
+            McdModelDestroy(model[k]);
+            McdModelDestroy(with[k]);
+        }
+    }
+}
+
+TEST(its_contacts_are_those_of_its_twin_at_any_tilt) {
+    const Twins flat[] = {{brick_create(frame, 1, .8, .6, 0), McdBoxCreate(frame, 1, (MeReal).8, (MeReal).6), .7, 0},
+                          {rod_create(frame, .3, 1), McdSphylCreate(frame, (MeReal).3, 1), .8, 0},
+                          makeGems(12, .6),
+                          makeGems(40, .6)};
+    const Twins round[] = {
+        {can_create(frame, .3, 1, METRUE), McdSphylCreate(frame, (MeReal).3, 1), .8, 0},
+        {can_create(frame, .4, 1, MEFALSE), McdCylinderCreate(frame, (MeReal).4, 1), .6, 0},
+        {can_create(frame, .5, .02, MEFALSE), McdCylinderCreate(frame, (MeReal).5, (MeReal).02), .5, 0},
+        {horn_create(frame, .5, 1), McdConeCreate(frame, 1, (MeReal).5), .8, 0}};
+    for (int i = 0; i < 4; i++) {
+        compareAtAnyTilt(&flat[i], MEFALSE);
+        compareAtAnyTilt(&round[i], METRUE);
+    }
+}
+
 /* ---- rays -------------------------------------------------------------------------------------------------------- */
 
 static void compareRays(McdGeometryID own, McdGeometryID builtIn, double tolerance) {
@@ -515,6 +621,12 @@ TEST(many_shapes_come_and_go) {
     }
 }
 
+static void MEAPI pointed(const void *data, const double d[3], double point[3]) {
+    const double *const *half = data;
+    for (int i = 0; i < 3; i++)
+        point[i] = copysign((*half)[i], d[i]);
+}
+
 TEST(its_data_may_be_changed) {
     MeMatrix4 tm, ground;
     McdGeometryID e = ellipsoid_create(frame, .5, .3, .2);
@@ -529,6 +641,28 @@ TEST(its_data_may_be_changed) {
     assert_near(((const Ellipsoid *)McdConvexGetData(e))->radius[2], .6, 0);
     ck_assert_int_eq(meet(m, plane), 1);
     assert_near(deepest(), -.1, TOL(1e-6, 1e-15));
+}
+
+/* The same number of contacts as a box that was made so. */
+TEST(its_faces_change_with_its_data) {
+    static double half[3] = {.5, .5, .5};
+    MeMatrix4 tm, ground;
+    const McdConvexFunctions functions = {.support = pointed};
+    const double *data = half;
+    McdGeometryID g =
+        McdConvexCreate(frame, McdFrameworkRegisterConvexType(frame, "Pointer", sizeof data, &functions), &data);
+    McdModelID m = McdModelCreate(g), plane = McdModelCreate(McdPlaneCreate(frame));
+    MeMatrix4TMMakeIdentity(tm);
+    MeMatrix4TMMakeIdentity(ground);
+    McdModelSetTransformPtr(m, tm);
+    McdModelSetTransformPtr(plane, ground);
+    for (int i = 1; i < 4; i++) {
+        half[2] = .5 * i;
+        McdConvexSetData(g, McdConvexGetData(g)); /* what they point to has changed */
+        tm[3][2] = (MeReal)(half[2] - .005);
+        ck_assert_int_eq(meet(m, plane), 4);
+        assert_near(deepest(), -.005, TOL(2e-7, 1e-15));
+    }
 }
 
 /* ---- bad input --------------------------------------------------------------------------------------------------- */

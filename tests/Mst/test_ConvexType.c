@@ -344,6 +344,87 @@ TEST(a_heap_is_the_same_on_any_number_of_threads) {
     }
 }
 
+/* ---- pits, drops ------------------------------------------------------------------------------------------------- */
+
+/* Bricks poured into a pit come to rest, none deep in another: the lowest lies on its side. */
+LOOP_TEST(a_pit_of_bricks_falls_asleep, 0, 3) {
+    enum { BRICKS = 80 };
+    const double size = _i == 0 ? .01 : _i == 1 ? .1 : 1, wall = 20 * size, pit = 3 * size;
+    McdModelID m[BRICKS];
+    double lowest = INFINITY;
+    begin(9.8, .5);
+    McdGeometryID brick = brick_create(u->frame, size / 2, size / 2, size, 0);
+    addFixed(McdBoxCreate(u->frame, (MeReal)wall, (MeReal)wall, (MeReal)wall), 0, 0, -wall / 2);
+    for (int i = 0; i < 4; i++) {
+        const double side = (i % 2 ? -1 : 1) * (pit + wall / 2);
+        addFixed(McdBoxCreate(u->frame, (MeReal)wall, (MeReal)wall, (MeReal)(2 * wall)), i < 2 ? side : 0,
+                 i < 2 ? 0 : side, 0);
+    }
+    for (int i = 0; i < BRICKS; i++) {
+        const double turn[4] = {between(.01, 1), between(0, 1), between(0, 1), between(0, 1)};
+        m[i] = put(brick, (i % 4 - 1.5) * 1.3 * size, (i / 4 % 4 - 1.5) * 1.3 * size, (1 + i / 16 * 1.3) * size);
+        McdModelDynamicsSetQuaternion(m[i], (MeReal)turn[0], (MeReal)turn[1], (MeReal)turn[2], (MeReal)turn[3]);
+    }
+    universe_step(600);
+    for (int i = 0; i < BRICKS; i++) {
+        ck_assert_msg(!MdtBodyIsEnabled(McdModelGetBody(m[i])), "brick %d is awake", i);
+        lowest = fmin(lowest, coordinate(m[i], 2));
+    }
+    assert_near(lowest, .25 * size, .002 * size);
+}
+
+/* m: the largest overlap with the plane z = 0 of what falls onto it. */
+static double deepestDrop(McdGeometryID g, const McdConvexFunctions *functions, const void *data) {
+    const MeReal spin[3] = {(MeReal)between(-5, 5), (MeReal)between(-5, 5), (MeReal)between(-5, 5)};
+    const double turn[4] = {between(.1, 1), between(-1, 1), between(-1, 1), between(-1, 1)};
+    const McdModelID m = put(g, 0, 0, between(.2, .4));
+    MeMatrix4Ptr tm = McdModelGetTransformPtr(m);
+    double deepest = 0;
+    McdModelDynamicsSetQuaternion(m, (MeReal)turn[0], (MeReal)turn[1], (MeReal)turn[2], (MeReal)turn[3]);
+    McdModelDynamicsSetAngularVelocity(m, spin[0], spin[1], spin[2]);
+    for (int i = 0; i < 120; i++) {
+        double p[3], low = (double)tm[3][2];
+        universe_step(1);
+        const double down[3] = {-(double)tm[0][2], -(double)tm[1][2], -(double)tm[2][2]};
+        functions->support(data, down, p);
+        low = (double)tm[3][2] - (p[0] * down[0] + p[1] * down[1] + p[2] * down[2]);
+        deepest = fmax(deepest, -low);
+    }
+    MstModelAndBodyDestroy(m);
+    return deepest;
+}
+
+static McdGeometryID makeDropped(int kind, MeBool isOwn, double size) {
+    const MeReal radius = (MeReal)(.3 * size), length = (MeReal)size;
+    if (kind == 2)
+        return isOwn ? brick_create(u->frame, size, .8 * size, .6 * size, 0)
+                     : McdBoxCreate(u->frame, length, (MeReal)(.8 * size), (MeReal)(.6 * size));
+    if (isOwn)
+        return can_create(u->frame, (double)radius, size, kind == 0);
+    return kind == 0 ? McdSphylCreate(u->frame, radius, length) : McdCylinderCreate(u->frame, radius, length);
+}
+
+/* A capsule whose ends are round by its support function, a cylinder, a box: no deeper than the library's own, with
+ * both solvers. */
+LOOP_TEST(what_is_dropped_goes_no_deeper_than_its_twin, 0, 6) {
+    enum { DROPS = 12 };
+    const double size = .1;
+    const Can can = {.3 * size, .5 * size, _i / 2 == 0};
+    const Brick brick = {{.5 * size, .4 * size, .3 * size}, 0};
+    const MeBool isBox = _i / 2 == 2;
+    for (int own = 0; own < 2; own++) {
+        double deepest = 0;
+        begin(9.8, .5);
+        MdtWorldSetSolver(u->world, _i % 2 ? MdtSolverFast : MdtSolverExact);
+        addFixed(McdPlaneCreate(u->frame), 0, 0, 0);
+        McdGeometryID g = makeDropped(_i / 2, own, size);
+        for (int i = 0; i < DROPS; i++)
+            deepest =
+                fmax(deepest, isBox ? deepestDrop(g, &brickFunctions, &brick) : deepestDrop(g, &canFunctions, &can));
+        assert_near(deepest, 0, .02 * size);
+    }
+}
+
 /* ---- change ------------------------------------------------------------------------------------------------------ */
 
 TEST(what_lies_on_a_shape_that_shrinks_wakes_and_falls) {
