@@ -3,6 +3,7 @@
  * the normal that was found. Sizes of 1e-2 to 1e2. */
 #include "frame.h"
 #include "own_shapes.h"
+#include "convex/mcd_sampled_i.h"
 #include "model/mcd_result_i.h"
 #include "reference.h"
 
@@ -194,4 +195,129 @@ static void compareKinds(int kindA, int kindB) {
 LOOP_TEST(no_direction_separates_better, 0, OWN_KINDS) {
     for (int kindB = _i; kindB < OWN_KINDS + SHAPE_KINDS; kindB++)
         compareKinds(_i, kindB);
+}
+
+/* ---- faces and lines --------------------------------------------------------------------------------------------- */
+
+/* The hull of discs across z, which are ellipses, and of balls: of all shapes with round and flat parts. */
+typedef struct Hulled {
+    int discs, balls;
+    double disc[2][3], ball[8][4]; /* half axes, height; middle, radius */
+} Hulled;
+
+static void keepFarther(const double d[3], const double candidate[3], double *max, double point[3]) {
+    const double height = mcd_dot(candidate, d);
+    if (height <= *max)
+        return;
+    *max = height;
+    mcd_copy(point, candidate);
+}
+
+static void MEAPI hulledSupport(const void *data, const double d[3], double point[3]) {
+    const Hulled *h = data;
+    double max = -INFINITY;
+    for (int i = 0; i < h->discs; i++) {
+        const double *e = h->disc[i], x = e[0] * d[0], y = e[1] * d[1], across = sqrt(x * x + y * y),
+                     k = across > 0 ? 1 / across : 0;
+        const double at[3] = {e[0] * x * k, e[1] * y * k, e[2]};
+        keepFarther(d, at, &max, point);
+    }
+    for (int i = 0; i < h->balls; i++) {
+        double at[3];
+        mcd_mad(at, h->ball[i], h->ball[i][3], d);
+        keepFarther(d, at, &max, point);
+    }
+}
+
+typedef struct Expected {
+    const char *name;
+    Hulled shape;
+    int flats, corners; /* all flat faces, and all corners of those that have some */
+    MeBool hasLines, isPolyhedron, hasDisc;
+    int minPoints; /* of a face in any direction */
+} Expected;
+
+static const Expected expected[] = {
+    {"cylinder", {.discs = 2, .disc = {{1, 1, 1}, {1, 1, -1}}}, 2, 0, 1, 0, 1, 2},
+    {"coin of a hundredth", {.discs = 2, .disc = {{1, 1, .01}, {1, 1, -.01}}}, 2, 0, 1, 0, 1, 2},
+    {"needle", {.discs = 2, .disc = {{.01, .01, 1}, {.01, .01, -1}}}, 2, 0, 1, 0, 1, 2},
+    {"elliptic cylinder", {.discs = 2, .disc = {{1, .5, 1}, {1, .5, -1}}}, 2, 0, 1, 0, 0, 2},
+    {"elliptic cone", {.discs = 1, .balls = 1, .disc = {{1, .5, 0}}, .ball = {{0, 0, 1, 0}}}, 1, 0, 1, 0, 0, 2},
+    {"bullet", {.discs = 1, .balls = 1, .disc = {{.5, .5, -1}}, .ball = {{0, 0, .5, .5}}}, 1, 0, 1, 0, 1, 2},
+    {"half a ball on a cone", {.balls = 2, .ball = {{0, 0, 0, .5}, {0, 0, 2, 0}}}, 0, 0, 1, 0, 0, 2},
+    {"two balls", {.balls = 2, .ball = {{0, 0, 0, 1}, {0, .3, 1.2, .2}}}, 0, 0, 1, 0, 0, 2},
+    {"rounded box",
+     {.balls = 8,
+      .ball = {{1, .7, .5, .2},
+               {-1, .7, .5, .2},
+               {1, -.7, .5, .2},
+               {-1, -.7, .5, .2},
+               {1, .7, -.5, .2},
+               {-1, .7, -.5, .2},
+               {1, -.7, -.5, .2},
+               {-1, -.7, -.5, .2}}},
+     6,
+     24,
+     1,
+     0,
+     0,
+     3},
+    {"tetrahedron",
+     {.balls = 4, .ball = {{1, 0, .5, 0}, {-1, 0, .5, 0}, {0, 1, -.5, 0}, {0, -1, -.5, 0}}},
+     4,
+     12,
+     0,
+     1,
+     0,
+     3},
+    {"plate", {.balls = 4, .ball = {{1, .5, 0, 0}, {-1, .5, 0, 0}, {1, -.5, 0, 0}, {-1, -.5, 0, 0}}}, 2, 8, 0, 1, 0, 2},
+    {"segment", {.balls = 2, .ball = {{1, .5, .1, 0}, {-1, .5, 0, 0}}}, 0, 0, 1, 0, 0, 2},
+    {"ball", {.balls = 1, .ball = {{0, 0, 0, 1}}}, 0, 0, 0, 0, 0, 1},
+};
+
+/* No point of a face is above the shape, and one is as high as it. */
+static void checkFaces(const McdShape *s, const Expected *e, Random *r) {
+    const double size = s->extent;
+    for (int i = 0; i < 2000; i++) {
+        double n[3], farthest[3], max = -INFINITY;
+        McdFace f;
+        random_direction(r, n);
+        mcd_coreSupport(s, n, farthest);
+        mcd_faceToward(s, n, &f);
+        ck_assert_msg(f.count >= e->minPoints, "%s: %d points towards %g %g %g", e->name, f.count, n[0], n[1], n[2]);
+        for (int k = 0; k < f.count; k++)
+            max = fmax(max, mcd_heightOver(f.point[k], farthest, n));
+        ck_assert_msg(max < 1e-6 * size, "%s: %g above", e->name, max);
+    }
+}
+
+TEST(faces_and_lines_are_found) {
+    static const McdConvexFunctions functions = {.support = hulledSupport};
+    const int type = McdFrameworkRegisterConvexType(frame, "Hulled", sizeof(Hulled), &functions);
+    Random r = {.state = 1};
+    for (int i = 0; i < (int)(sizeof expected / sizeof *expected); i++) {
+        const Expected *e = &expected[i];
+        McdShape s;
+        shapeOf(McdConvexCreate(frame, type, &e->shape), &s);
+        const McdFeatures *k = s.sampled->features;
+        ck_assert_msg(k->flats == e->flats && k->corners == e->corners && (k->rulings > 0) == e->hasLines &&
+                          k->isPolyhedron == e->isPolyhedron && k->hasDisc == e->hasDisc,
+                      "%s: %d faces, %d corners, %d lines, %d, %d", e->name, k->flats, k->corners, k->rulings,
+                      k->isPolyhedron, k->hasDisc);
+        checkFaces(&s, e, &r);
+    }
+}
+
+/* Of corners on a ball, nearly all faces are triangles, some at angles of 1e-4 rad. */
+TEST(all_faces_of_a_polyhedron_are_found) {
+    Random r = {.state = 2};
+    for (int count = 4; count <= GEM_CORNERS; count *= 2) {
+        Gem gem = {.count = count};
+        McdShape s;
+        for (int i = 0; i < count; i++)
+            random_direction(&r, gem.corner[i]);
+        shapeOf(gem_create(frame, &gem), &s);
+        ck_assert(s.sampled->features->isPolyhedron);
+        ck_assert_int_eq(s.sampled->features->flats, 2 * count - 4);
+    }
 }

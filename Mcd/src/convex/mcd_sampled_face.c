@@ -406,9 +406,16 @@ static void chooseFlat(const McdSampled *s, const double n[3], const double fart
     }
 }
 
-/* Whether the line is on the rounding of an edge of the face. */
+/* Whether the line is on the rounding of an edge of the face, with both ends. */
 static MeBool isEdgeOfRounded(const McdSampled *s, const McdLine *line, const Choice *c) {
-    return c->rounding > 0 && radiusAcrossLine(s, line) < c->rounding * (1 + 1e-3);
+    static const double same = .1; /* of the radius, which has a large error near the face's normal */
+    for (int i = 0; i < 2; i++) {
+        double rounding;
+        if (!(c->rounding > 0) || !isOnRounding(s, c->flat, line->normal, line->end[i], &rounding) ||
+            (rounding > 0 && fabs(rounding - c->rounding) > same * c->rounding))
+            return MEFALSE;
+    }
+    return METRUE;
 }
 
 static const McdRuling *nearestRuling(const McdFeatures *k, const double n[3], double *cosine) {
