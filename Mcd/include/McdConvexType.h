@@ -77,9 +77,9 @@ MEPUBLIC int MEAPI McdFrameworkRegisterConvexType(McdFrameworkID frame, const ch
 MEPUBLIC MeBool MEAPI McdFrameworkTypeIsConvex(McdFrameworkID frame, int typeId);
 
 /**
- * Creates a shape. It calls the support function some thousand times, once and a half for a polyhedron, up to fifteen
- * times for what has many round edges, and keeps up to 58 kilobytes of faces: up to 256 with 1024 corners. Further
- * faces, and those among curved surfaces at less than .1 rad to the next face or line, have their deepest contact alone.
+ * Creates a shape. It calls the support function 1300 times for a polyhedron, up to 15 000 times for what has many
+ * round edges, and keeps up to 58 kilobytes of faces: 256 faces with 1024 corners. Further faces, and those among
+ * curved surfaces at less than .1 rad to the next face or line, have their deepest contact alone.
  * @param data dataSize bytes, copied; may be null if that is 0.
  * @return null, with a warning: no such type, no data, or a support function whose points are not finite, beyond a
  *         quarter of the range of single precision or, with the rounding, without extent. McdGeometryDestroy destroys

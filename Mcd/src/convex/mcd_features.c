@@ -307,7 +307,7 @@ static void considerTriangle(Search *w, const Sample *a, const Sample *b, const 
 
 /* ---- lines ------------------------------------------------------------------------------------------------------- */
 
-enum { APART = 2 }; /* steps of the grid between the lines that are kept of one side */
+enum { SPACING = 2 }; /* steps of the grid between the lines that are kept of one side */
 
 /* Whether the line is one of a side of which a line is kept nearby. */
 static MeBool isRulingKnown(const Search *w, const double normal[3], const double along[3]) {
@@ -315,7 +315,7 @@ static MeBool isRulingKnown(const Search *w, const double normal[3], const doubl
     for (int i = 0; i < w->found.rulings; i++) {
         const McdRuling *r = &w->ruling[i];
         double m[3], a[3];
-        if (mcd_dot(r->normal, normal) < 1 - APART * APART * step * step / 2)
+        if (mcd_dot(r->normal, normal) < 1 - SPACING * SPACING * step * step / 2)
             continue;
         mcd_rulingTurn(r, mcd_rulingAngle(r, normal), m, a);
         if (mcd_dot(m, normal) > near && fabs(mcd_dot(a, along)) > near)
@@ -372,7 +372,7 @@ static void addSide(Search *w, const McdLine *line) {
         for (int side = -1; side <= 1; side += 2) {
             double normal[3], along[3];
             McdLine next;
-            mcd_rulingTurn(&w->ruling[i], 1.01 * side * APART * step, normal, along);
+            mcd_rulingTurn(&w->ruling[i], 1.01 * side * SPACING * step, normal, along);
             if (!isRulingKnown(w, normal, along) && mcd_sampledLine(w->s, normal, along, mcd_exactLine, &next))
                 addLine(w, &next);
         }
