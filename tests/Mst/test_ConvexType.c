@@ -242,12 +242,34 @@ LOOP_TEST(all_shapes_come_to_rest_on_terrain, 0, TERRAINS) {
 
 /* ---- seams ------------------------------------------------------------------------------------------------------- */
 
-/* Tiles of a program's bricks beside boxes: what slides or rolls over them neither stops nor hops. */
+/* A tile of 2 by 4 by 1 m by its corners, in a frame that is turned about x, so that no face is across an axis. */
+static void addTurnedTile(double x) {
+    const double cosine = .8, sine = .6;
+    Gem gem = {.count = 8};
+    for (int i = 0; i < 8; i++) {
+        const double y = i & 1 ? 2 : -2, z = i & 2 ? .5 : -.5;
+        gem.corner[i][0] = i & 4 ? 1 : -1;
+        gem.corner[i][1] = cosine * y + sine * z;
+        gem.corner[i][2] = cosine * z - sine * y;
+    }
+    MeMatrix4Ptr tm = ground[grounds++];
+    MeMatrix4TMMakeIdentity(tm);
+    MeVector3Set(tm[1], 0, (MeReal)cosine, (MeReal)sine);
+    MeVector3Set(tm[2], 0, (MeReal)-sine, (MeReal)cosine);
+    MeVector3Set(tm[3], (MeReal)x, 0, (MeReal)-.5);
+    MstFixedModelCreate(u, gem_create(u->frame, &gem), tm);
+}
+
+/* Tiles of a program's shapes beside boxes: what slides or rolls over them neither stops nor hops. */
 TEST(seams_between_bricks_and_boxes_are_not_felt) {
     for (int kind = 0; kind < 4; kind++) {
         begin(9.81, 0);
         for (int i = 0; i < 8; i++)
-            addFixed(i % 2 ? brick_create(u->frame, 2, 4, 1, 0) : McdBoxCreate(u->frame, 2, 4, 1), -2 + 2 * i, 0, -.5);
+            if (i % 3 == 2)
+                addTurnedTile(-2 + 2 * i);
+            else
+                addFixed(i % 3 ? brick_create(u->frame, 2, 4, 1, 0) : McdBoxCreate(u->frame, 2, 4, 1), -2 + 2 * i, 0,
+                         -.5);
         McdModelID m = kind == 0   ? put(brick_create(u->frame, .4, .4, .2, 0), 0, 0, .1)
                        : kind == 1 ? put(McdBoxCreate(u->frame, (MeReal).4, (MeReal).4, (MeReal).2), 0, 0, .1)
                        : kind == 2 ? put(ellipsoid_create(u->frame, .2, .2, .2), 0, 0, .2)

@@ -23,17 +23,17 @@ static const double foldCosine = .5;
 /* ---- shapes ------------------------------------------------------------------------------------------------------ */
 
 int mcd_shapeFaces(const McdShape *s) {
-    return s->hull ? s->hull->faceCount : 6;
+    return s->hull ? s->hull->faceCount : s->kind->isSampled ? s->sampled->features->flats : 6;
 }
 
 MeBool mcd_shapeFaceNormal(const McdShape *s, int i, double normal[3]) {
-    if (s->hull) {
-        const double *own = s->hull->face[i].normal;
+    if (s->hull || s->kind->isSampled) {
+        const double *own = s->hull ? s->hull->face[i].normal : s->sampled->features->flat[i].normal;
         mcd_shapeDirection(s, own[0], own[1], own[2], normal);
         return METRUE;
     }
     mcd_scale(normal, s->axis[i / 2], i % 2 ? -1 : 1);
-    return (s->kind->isSampled ? s->sampled->flatFaces >> i & 1 : s->kind->flatAxes >> i / 2 & 1) != 0;
+    return (s->kind->flatAxes >> i / 2 & 1) != 0;
 }
 
 /* m: the depth of a point below the shape's supporting plane orthogonal to a direction. */
