@@ -174,10 +174,11 @@ static MeBool isNear(const McdSampled *s, const double a[3], const double b[3]) 
 
 /* ---- faces from flat faces --------------------------------------------------------------------------------------- */
 
-/* What is near a direction: a flat face, with the radius of its rounded border; or a line; or neither. */
+/* What is near a direction: a flat face, whose rounded border is seen from `toward`; or a line; or neither. */
 typedef struct Choice {
     const McdFlat *flat;
-    double rounding, cosine; /* of the angle to the direction */
+    double rounding, toward[3];
+    double cosine; /* of the angle to the direction */
     McdLine line;
     MeBool isLine;
 } Choice;
@@ -266,12 +267,12 @@ static void makeEdge(const McdShape *shape, const McdFlat *flat, const double n[
     f->id = (MeU32)(MCD_FLATS + 2 + first);
 }
 
-/* The face, its border moved along its rounding to the direction n. */
-static void makeFlat(const McdShape *shape, const McdFlat *flat, double rounding, const double n[3], McdFace *f) {
+/* The face, its border moved along its rounding. */
+static void makeFlat(const McdShape *shape, const McdFlat *flat, const Choice *c, const double n[3], McdFace *f) {
     const McdFeatures *k = shape->sampled->features;
     double offset[3], at[3];
-    mcd_sub(offset, n, flat->normal);
-    mcd_scale(offset, offset, rounding);
+    mcd_sub(offset, c->toward, flat->normal);
+    mcd_scale(offset, offset, c->rounding);
     mcd_shapeDirection(shape, flat->normal[0], flat->normal[1], flat->normal[2], f->normal);
     for (int i = 0; i < flat->count; i++) {
         mcd_mad(at, k->corner[flat->first + i], 1, offset);
@@ -369,6 +370,9 @@ static MeBool isOnRounding(const McdSampled *s, const McdFlat *flat, const doubl
     return fabs(mcd_heightOver(at, farthest, out)) <= onBorder * s->extent; /* along an edge both may be anywhere */
 }
 
+/* Of the angle to a face that may be chosen: more tilted ones are seen from their edge. */
+static const double minCosine = .5;
+
 static const McdFlat *nearestFlat(const McdFeatures *k, const double n[3]) {
     const McdFlat *best = 0;
     double max = -INFINITY;
@@ -384,17 +388,17 @@ static const McdFlat *nearestFlat(const McdFeatures *k, const double n[3]) {
 
 /* Of the faces that have the support point the one nearest to n; or the nearest one, if its rounding has that point. */
 static void chooseFlat(const McdSampled *s, const double n[3], const double farthest[3], Choice *c) {
-    static const double min = .5; /* cosine: more tilted ones are seen from their edge */
     const McdFeatures *k = s->features;
     const McdFlat *nearest = nearestFlat(k, n);
-    if (!nearest || !(mcd_dot(nearest->normal, n) > min))
+    mcd_copy(c->toward, n);
+    c->cosine = minCosine;
+    if (!nearest || !(mcd_dot(nearest->normal, n) > minCosine))
         return;
     if (isOnRounding(s, nearest, n, farthest, &c->rounding)) {
         c->flat = nearest;
         c->cosine = mcd_dot(nearest->normal, n);
         return;
     }
-    c->cosine = min;
     c->rounding = 0;
     for (int i = 0; i < k->flats; i++) {
         const McdFlat *flat = &k->flat[i];
@@ -407,15 +411,26 @@ static void chooseFlat(const McdSampled *s, const double n[3], const double fart
 }
 
 /* Whether the line is on the rounding of an edge of the face, with both ends. */
-static MeBool isEdgeOfRounded(const McdSampled *s, const McdLine *line, const Choice *c) {
+static MeBool isOnEdge(const McdSampled *s, const McdFlat *flat, const McdLine *line, double *rounding) {
     static const double same = .1; /* of the radius, which has a large error near the face's normal */
-    for (int i = 0; i < 2; i++) {
-        double rounding;
-        if (!(c->rounding > 0) || !isOnRounding(s, c->flat, line->normal, line->end[i], &rounding) ||
-            (rounding > 0 && fabs(rounding - c->rounding) > same * c->rounding))
-            return MEFALSE;
-    }
-    return METRUE;
+    double other;
+    return isOnRounding(s, flat, line->normal, line->end[0], rounding) &&
+           isOnRounding(s, flat, line->normal, line->end[1], &other) && fabs(other - *rounding) <= same * *rounding;
+}
+
+/* A line on the rounding of an edge of a face stands for the face: seen from where the line is, or, at a rounded corner,
+ * from n. */
+static void preferFlat(const McdSampled *s, const double n[3], Choice *c) {
+    const McdFlat *flat = c->rounding > 0 ? c->flat : nearestFlat(s->features, n);
+    double rounding;
+    if (!c->isLine || !flat || !(mcd_dot(flat->normal, n) > minCosine) || !isOnEdge(s, flat, &c->line, &rounding))
+        return;
+    c->isLine = MEFALSE;
+    if (c->rounding > 0)
+        return;
+    c->flat = flat;
+    c->rounding = rounding;
+    mcd_copy(c->toward, c->line.normal);
 }
 
 static const McdRuling *nearestRuling(const McdFeatures *k, const double n[3], double *cosine) {
@@ -438,7 +453,7 @@ static void chooseLine(const McdSampled *s, const double n[3], const double fart
     const McdRuling *start = nearestRuling(s->features, n, &cosine);
     if (!start || (c->flat && acos(MeMIN(c->cosine, 1)) + reach < acos(MeCLAMP(cosine, -1, 1))) ||
         !nearestLine(s, n, start, &line) || (c->flat && mcd_dot(line.normal, n) <= c->cosine + 1e-12) ||
-        !isOnLine(s, &line, n, farthest) || isEdgeOfRounded(s, &line, c))
+        !isOnLine(s, &line, n, farthest))
         return;
     c->isLine = METRUE;
     c->line = line;
@@ -468,16 +483,17 @@ static void findFace(const McdShape *shape, const double direction[3], McdFace *
         if (isPlate && mcd_dot(flat->normal, n) < edgeOn)
             makeEdge(shape, flat, n, f);
         else
-            makeFlat(shape, flat, 0, n, f);
+            makeFlat(shape, flat, &c, n, f);
         return;
     }
     mcd_sampledPoint(s, n, farthest);
     chooseFlat(s, n, farthest, &c);
     chooseLine(s, n, farthest, &c);
+    preferFlat(s, n, &c);
     if (c.isLine) {
         makeLine(shape, &c.line, n, farthest, f);
     } else if (c.flat) {
-        makeFlat(shape, c.flat, c.rounding, n, f);
+        makeFlat(shape, c.flat, &c, n, f);
     } else {
         f->id = POINT;
         f->isDisc = !isSharp(s, n, farthest); /* the point moves along the surface */
