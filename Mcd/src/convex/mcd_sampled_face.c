@@ -418,8 +418,8 @@ static MeBool isOnEdge(const McdSampled *s, const McdFlat *flat, const McdLine *
            isOnRounding(s, flat, line->normal, line->end[1], &other) && fabs(other - *rounding) <= same * *rounding;
 }
 
-/* A line on the rounding of an edge of a face stands for the face: seen from where the line is, or, at a rounded corner,
- * from n. */
+/* A line on the rounding of an edge of a face stands for the face: seen from where the line is, or from n at a rounded
+ * corner. */
 static void preferFlat(const McdSampled *s, const double n[3], Choice *c) {
     const McdFlat *flat = c->rounding > 0 ? c->flat : nearestFlat(s->features, n);
     double rounding;
