@@ -31,64 +31,156 @@ static void reset(MdtBclConstraint *c) {
     c->of.groundWheel.radius = c->of.groundWheel.inertia = 1;
 }
 
-/* The vectors of the equations above, world frame. */
-typedef struct Wheel {
-    double s[3], n[3], x[3], y[3], q[3];
-    double slope, length; /* n·s, L */
-    MeBool isFar;         /* of a trial pose that is no wheel's: nothing acts */
-} Wheel;
+/* The frames of a wheel in the world, and the centres of mass of chassis and ground. */
+typedef struct Place {
+    double s[3], f[3], a[3], n[3], p[3], centre[2][3];
+} Place;
+
+/* Where the wheel touches the plane. */
+typedef struct Touch {
+    double n[3], q[3], arm[2][3]; /* arm: from the centres to q */
+    double slope, length;         /* n·s, L */
+    MeBool isFar;                 /* of a trial pose that is no wheel's: nothing acts */
+} Touch;
+
+static void placeAt(const MdtBclFrame frame[2], const MdtKeaTransformation *const pose[2], Place *at) {
+    keaApply(at->s, pose[0]->R, frame[0].primary);
+    keaApply(at->f, pose[0]->R, frame[0].ortho);
+    keaApply(at->a, pose[0]->R, frame[0].position);
+    keaAddScaled(at->a, 1, pose[0]->pos);
+    keaApply(at->n, pose[1]->R, frame[1].primary);
+    keaApply(at->p, pose[1]->R, frame[1].position);
+    keaAddScaled(at->p, 1, pose[1]->pos);
+    keaCopy(at->centre[0], pose[0]->pos);
+    keaCopy(at->centre[1], pose[1]->pos);
+}
+
+/* Turns a vector by the Cayley map of the rotation vector 2 u. */
+static void turn(const double u[3], double v[3]) {
+    const double share = 2 / (1 + keaDot(u, u));
+    double once[3], twice[3];
+    keaCross(once, u, v);
+    keaCross(twice, u, once);
+    keaAddScaled(v, share, once);
+    keaAddScaled(v, share, twice);
+}
+
+/* Moves a point that is fixed in a body: its centre moves by `way` and the body turns by that rotation. */
+static void carry(const double centre[3], const double way[3], const double u[3], double point[3]) {
+    double arm[3];
+    keaSubtract(arm, point, centre);
+    turn(u, arm);
+    keaCopy(point, centre);
+    keaAddScaled(point, 1, way);
+    keaAddScaled(point, 1, arm);
+}
+
+/* Where all is after the step if both bodies keep their velocities. */
+static void advance(const MdtBclContext *x, Place *at) {
+    const double h = x->parameters.stepsize;
+    for (int k = 0; k < 2; k++) {
+        double way[3], u[3];
+        keaScale(way, h, x->velocity[k]->lin);
+        keaScale(u, h / 2, x->velocity[k]->ang);
+        if (keaDot(way, way) + keaDot(u, u) == 0)
+            continue;
+        carry(at->centre[k], way, u, k == 0 ? at->a : at->p);
+        keaAddScaled(at->centre[k], 1, way);
+        turn(u, k == 0 ? at->s : at->n);
+        if (k == 0)
+            turn(u, at->f);
+    }
+}
+
+static void setMean(double mean[3], const double a[3], const double b[3]) {
+    for (int i = 0; i < 3; i++)
+        mean[i] = 0.5 * (a[i] + b[i]);
+}
+
+static void meanPlace(const Place *a, const Place *b, Place *mean) {
+    setMean(mean->s, a->s, b->s);
+    setMean(mean->f, a->f, b->f);
+    setMean(mean->a, a->a, b->a);
+    setMean(mean->n, a->n, b->n);
+    setMean(mean->p, a->p, b->p);
+    setMean(mean->centre[0], a->centre[0], b->centre[0]);
+    setMean(mean->centre[1], a->centre[1], b->centre[1]);
+}
+
+static double slopeOf(const Place *at) {
+    static const double minSlope = 0.05;
+    return keaMax(keaDot(at->n, at->s), minSlope);
+}
+
+static double lengthOf(const Place *at, double d) {
+    double from[3];
+    keaSubtract(from, at->a, at->p);
+    return (keaDot(at->n, from) - d) / slopeOf(at);
+}
 
 /* reach, m: lever arms are no longer than that allows, where trial poses are far from the ground. */
-static void measureAt(const MdtBclFrame frame[2], double d, MdtBclWheelShape shape, double reach,
-                      const MdtKeaTransformation *const pose[2], Wheel *w) {
+static void touchAt(const Place *at, double d, MdtBclWheelShape shape, double reach, Touch *w) {
     static const double minSlope = 0.05, farthest = 1e3;
-    double f[3], axle[3], p[3], from[3], t[3];
-    keaApply(w->s, pose[0]->R, frame[0].primary);
-    keaApply(f, pose[0]->R, frame[0].ortho);
-    keaApply(w->n, pose[1]->R, frame[1].primary);
-    keaApply(w->q, pose[0]->R, frame[0].position);
-    keaAddScaled(w->q, 1, pose[0]->pos);
-    keaApply(p, pose[1]->R, frame[1].position);
-    keaAddScaled(p, 1, pose[1]->pos);
-    keaSubtract(from, w->q, p);
-    w->slope = fmax(keaDot(w->n, w->s), minSlope);
-    w->length = (keaDot(w->n, from) - d) / w->slope;
+    const double *t = shape == MdtBclWheelRay ? at->s : at->n;
+    double axle[3], across[3];
+    w->slope = slopeOf(at);
+    w->length = lengthOf(at, d);
     w->isFar = !(fabs(w->length) < farthest * reach);
-    keaAddScaled(w->q, -fmin(fmax(w->length, -reach), reach), w->s);
-    keaCross(axle, w->s, f);
-    keaCopy(t, shape == MdtBclWheelRay ? w->s : w->n);
-    if (shape == MdtBclWheelDisc)
-        keaAddScaled(t, -keaDot(w->n, axle), axle);
-    keaAddScaled(w->q, -d / fmax(keaDot(w->n, t), minSlope), t);
-    keaCross(w->x, axle, w->n);
-    keaScale(w->x, 1 / fmax(keaLength(w->x), 1e-9), w->x);
-    keaCross(w->y, w->n, w->x);
+    keaCopy(w->n, at->n);
+    keaCopy(w->q, at->a);
+    keaAddScaled(w->q, -keaMin(keaMax(w->length, -reach), reach), at->s);
+    if (shape == MdtBclWheelDisc) {
+        keaCross(axle, at->s, at->f);
+        keaCopy(across, at->n);
+        keaAddScaled(across, -keaDot(at->n, axle), axle);
+        t = across;
+    }
+    keaAddScaled(w->q, -d / keaMax(keaDot(at->n, t), minSlope), t);
+    for (int k = 0; k < 2; k++)
+        keaSubtract(w->arm[k], w->q, at->centre[k]);
 }
 
 static double reachOf(const MdtBclGroundWheel *g) {
     return 4 * (g->radius + fabs(g->freeLength));
 }
 
-static void measure(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], Wheel *w) {
-    const MdtBclGroundWheel *g = &c->of.groundWheel;
-    measureAt(c->frame, g->distance, g->shape, reachOf(g), pose, w);
+static void touch(const MdtBclGroundWheel *g, const Place *at, Touch *w) {
+    touchAt(at, g->distance, g->shape, reachOf(g), w);
 }
 
-/* The row of the chassis' motion at q relative to the ground, along a direction. */
-static void groundRow(const MdtBclContext *x, const Wheel *w, const double direction[3], double factor,
-                      MdtKeaRow *row) {
-    bcl_startRow(row, x);
+/* Adds to a row the chassis' motion at q relative to the ground, along a direction. */
+static void addGroundRow(const Touch *w, const double direction[3], double factor, MdtKeaRow *row) {
     for (int k = 0; k < 2; k++) {
-        keaSubtract(row->arm[k], w->q, x->pose[k]->pos);
-        keaScale(row->J[k].lin, w->isFar ? 0 : k == 0 ? factor : -factor, direction);
-        keaCross(row->J[k].ang, row->arm[k], row->J[k].lin);
+        double lin[3], ang[3];
+        keaScale(lin, w->isFar ? 0 : k == 0 ? factor : -factor, direction);
+        keaCross(ang, w->arm[k], lin);
+        keaAddScaled(row->J[k].lin, 1, lin);
+        keaAddScaled(row->J[k].ang, 1, ang);
     }
 }
 
-static MeBool isNearStop(const MdtBclGroundWheel *g, const MdtBclContext *x, const Wheel *w) {
-    MdtKeaRow row;
-    groundRow(x, w, w->n, 1 / w->slope, &row);
-    const double z = w->length - g->low, rate = fmin(bcl_rate(&row, x->velocity), bcl_rate(&row, x->predicted));
+static void groundRow(const MdtBclContext *x, const Touch *w, const double direction[3], double factor,
+                      MdtKeaRow *row) {
+    bcl_startRow(row, x);
+    addGroundRow(w, direction, factor, row);
+    keaCopy(row->arm[0], w->arm[0]);
+    keaCopy(row->arm[1], w->arm[1]);
+}
+
+/* m/s: the rate of L at these velocities. */
+static double lengthRate(const Touch *w, const MdtKeaVelocity *const velocity[2]) {
+    double rate = 0;
+    for (int k = 0; k < 2 && !w->isFar; k++) {
+        double v[3];
+        keaCross(v, velocity[k]->ang, w->arm[k]);
+        keaAddScaled(v, 1, velocity[k]->lin);
+        rate += (k == 0 ? 1 : -1) * keaDot(w->n, v);
+    }
+    return rate / w->slope;
+}
+
+static MeBool isNearStop(const MdtBclGroundWheel *g, const MdtBclContext *x, const Touch *w) {
+    const double z = w->length - g->low, rate = keaMin(lengthRate(w, x->velocity), lengthRate(w, x->predicted));
     return z <= 0 || g->stopForce > 0 || z + 2 * x->parameters.stepsize * rate < 0;
 }
 
@@ -114,55 +206,65 @@ static int countRows(const MdtBclGroundWheel *g) {
     return (g->rows & SPRING ? 3 : 0) + ((g->rows & STOP) != 0) + ((g->rows & BAR) != 0) + ((g->rows & LEAN) != 0);
 }
 
+static MeBool needsStop(const MdtBclConstraint *c, const MdtBclContext *x) {
+    const MdtBclGroundWheel *g = &c->of.groundWheel;
+    Place at;
+    Touch w;
+    placeAt(c->frame, x->pose, &at);
+    touch(g, &at, &w);
+    return isNearStop(g, x, &w);
+}
+
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     MdtBclGroundWheel *g = &c->of.groundWheel;
     const double h = x->parameters.stepsize;
-    Wheel w;
-    measure(c, x->pose, &w);
     g->rows = 0;
     g->isLocked = g->brake > 0 && fabs(stoppingTorque(g, h, stoppingForce(g, h))) <= g->brake;
     g->direction = directionOf(g, h);
     if (g->leanStiffness > 0)
         g->rows = LEAN;
     if (g->isOnGround)
-        g->rows |= SPRING | TYRE | (isNearStop(g, x, &w) ? STOP : 0) | (g->barStiffness > 0 ? BAR : 0);
+        g->rows |= SPRING | TYRE | (needsStop(c, x) ? STOP : 0) | (g->barStiffness > 0 ? BAR : 0);
     return countRows(g);
 }
 
 static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double e[]) {
     const MdtBclGroundWheel *g = &c->of.groundWheel;
-    Wheel w;
+    Place at;
     if (!(g->rows & STOP))
         return;
-    measure(c, pose, &w);
-    e[1] = w.length - g->low;
+    placeAt(c->frame, pose, &at);
+    e[1] = lengthOf(&at, g->distance) - g->low;
 }
 
-static void springRow(const MdtBclGroundWheel *g, const MdtBclContext *x, const Wheel *w, MdtKeaRow *row) {
-    groundRow(x, w, w->n, 1 / w->slope, row);
-    bcl_makeSpring(row, w->length - g->freeLength, g->stiffness, g->damping);
-    row->lower = 0;
+/* Where all is in the step: at its start, in the mean, at the end. */
+typedef struct Course {
+    Place start, mean, end;
+} Course;
+
+static void courseOf(const MdtBclFrame frame[2], const MdtBclContext *x, Course *course) {
+    placeAt(frame, x->pose, &course->start);
+    course->end = course->start;
+    advance(x, &course->end);
+    meanPlace(&course->start, &course->end, &course->mean);
 }
 
-static void barRow(const MdtBclGroundWheel *g, const MdtBclContext *x, const Wheel *w, MdtKeaRow *row) {
-    MdtKeaRow other;
-    Wheel twin;
-    measureAt(g->twin, g->twinDistance, g->twinShape, reachOf(g), x->pose, &twin);
-    groundRow(x, w, w->n, 1 / w->slope, row);
-    groundRow(x, &twin, twin.n, 1 / twin.slope, &other);
-    for (int k = 0; k < 2; k++) {
-        keaAddScaled(row->J[k].lin, -1, other.J[k].lin);
-        keaAddScaled(row->J[k].ang, -1, other.J[k].ang);
-        keaZero(row->arm[k]);
-    }
-    bcl_makeSpring(row, w->length - g->freeLength - (twin.length - g->twinFreeLength), g->barStiffness, 0);
+static void barRow(const MdtBclGroundWheel *g, const MdtBclContext *x, const Touch *w, double length, MdtKeaRow *row) {
+    Course other;
+    Touch twin;
+    courseOf(g->twin, x, &other);
+    touchAt(&other.mean, g->twinDistance, g->twinShape, reachOf(g), &twin);
+    bcl_startRow(row, x);
+    addGroundRow(w, w->n, 1 / w->slope, row);
+    addGroundRow(&twin, twin.n, -1 / twin.slope, row);
+    const double twinLength = lengthOf(&other.start, g->twinDistance);
+    bcl_makeSpring(row, length - g->freeLength - (twinLength - g->twinFreeLength), g->barStiffness, 0);
     row->lower = g->barBound[0];
     row->upper = g->barBound[1];
 }
 
-static void rollingRow(const MdtBclGroundWheel *g, const MdtBclContext *x, const Wheel *w, MdtKeaRow *row) {
+static void rollingRow(const MdtBclGroundWheel *g, const MdtBclContext *x, MdtKeaRow *row) {
     const double h = x->parameters.stepsize, middle = stoppingTorque(g, h, 0) / g->radius;
-    groundRow(x, w, w->x, 1, row);
     row->upper = g->bound[0];
     row->lower = -g->bound[0];
     row->softness = g->slip[0] / h;
@@ -174,7 +276,7 @@ static void rollingRow(const MdtBclGroundWheel *g, const MdtBclContext *x, const
     }
     row->softness += g->radius * g->radius / g->inertia;
     const double tread = g->radius * (g->spin + h * (g->drive - g->direction * g->brake) / g->inertia);
-    row->target = row->drift = fmin(fmax(tread, -fastest), fastest);
+    row->target = row->drift = keaMin(keaMax(tread, -fastest), fastest);
 }
 
 static void leanRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow *row) {
@@ -187,24 +289,48 @@ static void leanRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow
     row->target = g->leanRate;
 }
 
+/* x: where wheel plane and ground intersect; y = n x x. */
+static void tyreAxes(const Place *at, double x[3], double y[3]) {
+    double axle[3];
+    keaCross(axle, at->s, at->f);
+    keaCross(x, axle, at->n);
+    keaScale(x, 1 / keaMax(keaLength(x), 1e-9), x);
+    keaCross(y, at->n, x);
+}
+
+/* Rates of the tyre are those at the end of the step, as are its axes. */
+static void tyreRows(const MdtBclGroundWheel *g, const MdtBclContext *x, const Place *end, MdtKeaRow rows[2]) {
+    double along[3], across[3];
+    Touch w;
+    touch(g, end, &w);
+    tyreAxes(end, along, across);
+    groundRow(x, &w, along, 1, &rows[0]);
+    rollingRow(g, x, &rows[0]);
+    groundRow(x, &w, across, 1, &rows[1]);
+    rows[1].upper = g->bound[1];
+    rows[1].lower = -g->bound[1];
+    rows[1].softness = g->slip[1] / x->parameters.stepsize;
+}
+
 /* The rows on the ground: spring, stop, tyre along and across, bar. */
 static void groundRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     const MdtBclGroundWheel *g = &c->of.groundWheel;
-    Wheel w;
-    measure(c, x->pose, &w);
-    springRow(g, x, &w, rows++);
+    Course course;
+    Touch w;
+    courseOf(c->frame, x, &course);
+    touch(g, &course.mean, &w);
+    const double length = lengthOf(&course.start, g->distance);
+    groundRow(x, &w, w.n, 1 / w.slope, rows);
+    bcl_makeSpring(rows, length - g->freeLength, g->stiffness, g->damping);
+    rows++->lower = 0;
     if (g->rows & STOP) {
         groundRow(x, &w, w.n, 1 / w.slope, rows);
-        rows->error = w.length - g->low;
+        rows->error = length - g->low;
         bcl_makeStop(rows++, x);
     }
-    rollingRow(g, x, &w, rows++);
-    groundRow(x, &w, w.y, 1, rows);
-    rows->upper = g->bound[1];
-    rows->lower = -g->bound[1];
-    rows->softness = g->slip[1] / x->parameters.stepsize;
+    tyreRows(g, x, &course.end, rows);
     if (g->rows & BAR)
-        barRow(g, x, &w, rows + 1);
+        barRow(g, x, &w, length, rows + 2);
 }
 
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
@@ -225,36 +351,42 @@ static void spin(MdtBclGroundWheel *g, double h) {
     g->angle = remainder(g->angle + h * (before + g->spin) / 2, 6.283185307179586476925);
 }
 
+/* What the rows on the ground have done. */
+static void readGround(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
+    MdtBclGroundWheel *g = &c->of.groundWheel;
+    const MdtKeaRow *tyre = rows + (g->rows & STOP ? 2 : 1);
+    Place at;
+    Touch w;
+    placeAt(c->frame, x->pose, &at);
+    touch(g, &at, &w);
+    g->length = w.length;
+    g->stopForce = g->rows & STOP ? rows[1].force : 0;
+    g->springForce = rows[0].force;
+    g->barForce = g->rows & BAR ? tyre[2].force : 0;
+    g->slope = w.slope;
+    g->load = keaMax(g->springForce + g->stopForce + g->barForce, 0) / w.slope;
+    g->lengthRate = lengthRate(&w, x->velocity);
+    for (int i = 0; i < 2; i++) {
+        g->force[i] = tyre[i].force;
+        g->velocity[i] = bcl_rate(&tyre[i], x->velocity);
+    }
+}
+
 static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]) {
     MdtBclGroundWheel *g = &c->of.groundWheel;
-    const double h = x->parameters.stepsize, before = g->velocity[0];
-    Wheel w;
-    measure(c, x->pose, &w);
+    const double before = g->velocity[0];
     g->lengthRate = g->load = g->stopForce = g->springForce = g->barForce = 0;
     keaZero(g->force);
     keaZero(g->velocity);
-    if (g->rows & SPRING) {
-        const MdtKeaRow *tyre = rows + (g->rows & STOP ? 2 : 1);
-        MdtKeaRow row;
-        g->length = w.length;
-        g->stopForce = g->rows & STOP ? rows[1].force : 0;
-        g->springForce = rows[0].force;
-        g->barForce = g->rows & BAR ? tyre[2].force : 0;
-        g->slope = w.slope;
-        g->load = fmax(g->springForce + g->stopForce + g->barForce, 0) / w.slope;
-        groundRow(x, &w, w.n, 1 / w.slope, &row);
-        g->lengthRate = bcl_rate(&row, x->velocity);
-        for (int i = 0; i < 2; i++) {
-            g->force[i] = tyre[i].force;
-            g->velocity[i] = bcl_rate(&tyre[i], x->velocity);
-        }
-    }
-    spin(g, h);
+    if (g->rows & SPRING)
+        readGround(c, x, rows);
+    spin(g, x->parameters.stepsize);
     g->gain = g->velocity[0] - before;
 }
 
 const MdtBclType bcl_groundWheel = {.name = "GroundWheel",
                                     .maxRows = MdtBclGETMAXROWSGROUNDWHEEL,
+                                    .keepsRows = METRUE,
                                     .reset = reset,
                                     .prepare = prepare,
                                     .fill = fill,

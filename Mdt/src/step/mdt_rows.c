@@ -218,7 +218,7 @@ void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation pose
     MdtBclContext x;
     MdtJoint *j;
     for (int i = 0; (j = mdt_nextJoint(p, &i));) {
-        if (j->numRows == 0)
+        if (j->numRows == 0 || j->type->keepsRows)
             continue;
         mdt_jointContext(p, j, p->kea.share, poses, &x);
         MEASSERT(j->firstRow + j->numRows <= p->kea.numRows);
