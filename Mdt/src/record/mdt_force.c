@@ -199,6 +199,12 @@ void mdt_forceBegin(MdtBodyID b) {
         addCorrections(b);
 }
 
+void MEAPI MdtBodyAddLoad(const MdtBodyID b, const double force[3]) {
+    MdtForces *f = mdt_forcesMake(b, "MstUniverseStep");
+    if (f)
+        keaAddScaled(f->load[0], 1, force);
+}
+
 void MEAPI MdtBodyResetForces(const MdtBodyID b) {
     MDT_NEED_BODY(b, );
     if (b->forces)

@@ -253,11 +253,13 @@ static void lockDifferentials(const MstVehicle *v, double h) {
 /* Implicit in the step, so that it never turns the motion back. */
 static void resistAir(const MstVehicle *v, MdtBodyID b, double h) {
     MeVector3 velocity;
+    double force[3];
     MdtBodyGetLinearVelocity(b, velocity);
-    const double rate = (double)v->params.drag * (double)MeVector3Magnitude(velocity);
-    const MeReal by = (MeReal)(-rate / (1 + h * rate / (double)MdtBodyGetMass(b)));
-    if (by < 0)
-        MdtBodyAddForce(b, by * velocity[0], by * velocity[1], by * velocity[2]);
+    fromReal(force, velocity);
+    const double rate = (double)v->params.drag * keaLength(force), mass = (double)MdtBodyGetMass(b);
+    keaScale(force, -rate / (1 + h * rate / mass), force);
+    if (rate > 0)
+        MdtBodyAddLoad(b, force);
 }
 
 /* kg m²: of the chassis about the line on which the wheels stand. */
