@@ -4,6 +4,7 @@
 #ifndef MCDINTERNAL_H
 #define MCDINTERNAL_H
 
+#include "McdQuery.h"
 #include "McdSpace.h"
 #include "MeInternal.h"
 #include "MeTeam.h"
@@ -224,6 +225,18 @@ MEPUBLIC McdGeometryInstanceID MEAPI McdNearGetInstance(const McdNear *n, int i)
 /** Measures the gap of a capsule from part i if it is at most @a reach; false: it is larger, or a triangle that is not
  *  two-sided is seen from behind. */
 MEPUBLIC MeBool MEAPI McdNearMeasure(const McdNear *n, int i, const McdCapsule *c, double reach, McdNearGap *gap);
+/** @} */
+
+/** @name Rays side by side, of the wheels of a vehicle
+ *  @{ */
+typedef struct McdRay {
+    MeVector3 from, by; /**< finite */
+} McdRay;
+/** McdSpaceCastRay of each, but the space is searched once for all and the filter is asked once about a model. Of a ray
+ *  that hits nothing the result's model is null. */
+MEPUBLIC void MEAPI McdSpaceCastRays(McdSpaceID s, const McdRay rays[], int count,
+                                     McdLineSegIntersectEnableCallback filter, void *filterData,
+                                     McdCastResult results[]);
 /** @} */
 
 /** @name Kinds of geometries

@@ -1,7 +1,9 @@
 /* Queries of a space besides line segments: overlaps, closest model, shape casts. */
 #include "McdQuery.h"
+#include "McdInternal.h"
 #include "McdGeometry.h"
 #include "convex/mcd_kind_i.h"
+#include "pair/mcd_pair_i.h"
 #include "space/mcd_space_i.h"
 #include "convex/mcd_vector_i.h"
 #include <string.h>
@@ -485,4 +487,88 @@ int MEAPI McdSpaceCastRay(McdSpaceID space, const MeVector3 from, const MeVector
         writeRay(&hit, MeVector3Magnitude(displacement), result);
     MeStageEnd(&space->frame->stage, MCD_GUARD_MODELS);
     return isHit;
+}
+
+/* ---- rays side by side ------------------------------------------------------------------------------------------- */
+
+enum { RAY_MODELS = 16 }; /* of more models than these near the rays, each ray searches the space */
+
+typedef struct Rays {
+    Query q;
+    int proxy[RAY_MODELS], count;
+    MeBool isFull;
+} Rays;
+
+static MeBool visitNearRays(void *context, int proxy) {
+    Rays *r = context;
+    if (!passesFilter(&r->q, modelOf(&r->q, proxy)))
+        return METRUE;
+    r->isFull = r->count == RAY_MODELS;
+    if (!r->isFull)
+        r->proxy[r->count++] = proxy;
+    return !r->isFull;
+}
+
+/* Finds the models whose boxes overlap that of all rays. */
+static void findNearRays(Rays *r, const McdRay rays[], int count) {
+    for (int i = 0; i < 3; i++) {
+        r->q.min[i] = INFINITY;
+        r->q.max[i] = -INFINITY;
+        for (int k = 0; k < count; k++) {
+            const double from = (double)rays[k].from[i], to = from + (double)rays[k].by[i];
+            r->q.min[i] = fmin(r->q.min[i], fmin(from, to));
+            r->q.max[i] = fmax(r->q.max[i], fmax(from, to));
+        }
+    }
+    visitOverlapping(&r->q, r->q.min, r->q.max, visitNearRays, r);
+}
+
+/* Casts a ray onto these models, with the answer of McdSpaceCastRay. */
+static MeBool castOntoList(const Rays *r, const McdRay *ray, McdLineSegIntersectResult *first) {
+    static const double still[3] = {0, 0, 0};
+    double from[3], by[3];
+    MeVector3 start, end;
+    first->model = 0;
+    MeVector3Copy(start, ray->from);
+    MeVector3Add(end, start, ray->by);
+    mcd_fromReal(from, start);
+    mcd_fromReal(by, end);
+    mcd_sub(by, by, from);
+    for (int i = 0; i < r->count; i++) {
+        const McdModelID cm = modelOf(&r->q, r->proxy[i]);
+        McdLineSegIntersectResult hit;
+        if (mcd_record(cm)->isGone || !mcd_treeCastBox(&r->q.space->proxy[r->proxy[i]].fat, from, by, still, 1) ||
+            !mcd_lineSegIntersect(cm, start, end, &hit))
+            continue;
+        hit.model = cm;
+        if (!first->model || mcd_isHitNearer(&hit, first))
+            *first = hit;
+    }
+    return first->model != 0;
+}
+
+static MeBool areRays(const McdRay rays[], int count) {
+    for (int i = 0; i < count; i++)
+        if (!mcd_areInRange(rays[i].from, 3) || !mcd_areInRange(rays[i].by, 3))
+            return MEFALSE;
+    return METRUE;
+}
+
+void MEAPI McdSpaceCastRays(McdSpaceID space, const McdRay rays[], int count, McdLineSegIntersectEnableCallback filter,
+                            void *filterData, McdCastResult results[]) {
+    Rays r = {.q = makeQuery(space, filter, filterData, "McdSpaceCastRay")};
+    for (int i = 0; i < count; i++)
+        results[i].model = 0;
+    if (!mcd_spaceIsReady(space, r.q.function) || !areRays(rays, count))
+        return;
+    MeStageBegin(&space->frame->stage, MCD_GUARD_MODELS);
+    findNearRays(&r, rays, count);
+    for (int i = 0; i < count; i++) {
+        McdLineSegIntersectResult hit;
+        if (r.isFull)
+            McdSpaceCastRay(space, rays[i].from, rays[i].by, filter, filterData, &results[i]);
+        else if (castOntoList(&r, &rays[i], &hit))
+            writeRay(&hit, MeVector3Magnitude(rays[i].by), &results[i]);
+    }
+    MeStageEnd(&space->frame->stage, MCD_GUARD_MODELS);
 }

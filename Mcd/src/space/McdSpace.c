@@ -1274,20 +1274,19 @@ typedef struct Segment {
     const char *function;
 } Segment;
 
-/* Whether hit a comes before hit b: by distance, then by the models' order. */
-static MeBool isNearer(const McdLineSegIntersectResult *a, const McdLineSegIntersectResult *b) {
+MeBool mcd_isHitNearer(const McdLineSegIntersectResult *a, const McdLineSegIntersectResult *b) {
     return a->distance != b->distance ? a->distance < b->distance
                                       : mcd_modelPrecedes(mcd_record(a->model), mcd_record(b->model));
 }
 
 static void addHit(Segment *q, const McdLineSegIntersectResult *hit) {
-    if (q->count == q->max && !isNearer(hit, &q->list[q->max - 1]))
+    if (q->count == q->max && !mcd_isHitNearer(hit, &q->list[q->max - 1]))
         return;
     int at = q->count < q->max ? q->count++ : q->max - 1;
-    for (; at > 0 && isNearer(hit, &q->list[at - 1]); at--)
+    for (; at > 0 && mcd_isHitNearer(hit, &q->list[at - 1]); at--)
         q->list[at] = q->list[at - 1];
     q->list[at] = *hit;
-    MEASSERT(q->count <= q->max && (at + 1 >= q->count || !isNearer(&q->list[at + 1], hit)));
+    MEASSERT(q->count <= q->max && (at + 1 >= q->count || !mcd_isHitNearer(&q->list[at + 1], hit)));
 }
 
 /* The fraction of the segment that must still be searched: if the list is full, up to its last hit, plus a margin

@@ -170,38 +170,44 @@ static MeBool castShape(const MstVehicle *v, const MstWheel *w, const MdtKeaTran
                                 hit) != 0;
 }
 
-static MeBool cast(const MstVehicle *v, const MstWheel *w, const MdtKeaTransformation *pose, const Path *path,
-                   McdCastResult *hit) {
-    const MeVector3 from = {(MeReal)path->start[0], (MeReal)path->start[1], (MeReal)path->start[2]};
-    const MeVector3 by = {(MeReal)path->by[0], (MeReal)path->by[1], (MeReal)path->by[2]};
-    if (isShape(w))
-        return castShape(v, w, pose, path, hit);
-    return McdSpaceCastRay(v->universe->space, from, by, isGround, (void *)(size_t)v, hit) != 0;
+/* Casts each wheel along its path. */
+static void castAll(const MstVehicle *v, const MdtKeaTransformation *pose, const Path path[], McdCastResult hit[]) {
+    McdRay ray[MST_VEHICLE_WHEELS];
+    const int count = v->wheelCount;
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 3; k++) {
+            ray[i].from[k] = (MeReal)path[i].start[k];
+            ray[i].by[k] = (MeReal)path[i].by[k];
+        }
+    if (count > 0 && !isShape(v->wheel[0]))
+        McdSpaceCastRays(v->universe->space, ray, count, isGround, (void *)(size_t)v, hit);
+    else
+        for (int i = 0; i < count; i++)
+            if (!castShape(v, v->wheel[i], pose, &path[i], &hit[i]))
+                hit[i].model = 0;
 }
 
-/* Finds the ground, and how far the wheel's centre is from its plane. False: it hangs. */
-static MeBool findGround(const MstVehicle *v, MstWheel *w, const MdtKeaTransformation *pose) {
+/* Takes what the cast has hit, if it is no wall, and measures how far the wheel's centre is from its plane. False: the
+ * wheel hangs. */
+static MeBool findGround(MstWheel *w, const Path *path, const McdCastResult *hit) {
     static const double minSlope = 0.2; /* cosine of the suspension's angle to the normal: steeper ground is a wall */
-    McdCastResult hit;
-    Path path;
     double from[3];
-    pathOf(v, w, pose, &path);
     w->ground = 0;
-    if (!cast(v, w, pose, &path, &hit))
+    if (!hit->model)
         return MEFALSE;
     for (int k = 0; k < 3; k++) {
-        w->normal[k] = (double)hit.normal[k];
-        w->point[k] = (double)hit.position[k];
-        from[k] = path.start[k] + (double)hit.fraction * path.by[k] - w->point[k];
+        w->normal[k] = (double)hit->normal[k];
+        w->point[k] = (double)hit->position[k];
+        from[k] = path->start[k] + (double)hit->fraction * path->by[k] - w->point[k];
     }
-    const double slope = keaDot(w->normal, path.up);
+    const double slope = keaDot(w->normal, path->up);
     if (!(slope >= minSlope))
         return MEFALSE;
     w->data->distance = isShape(w) ? keaDot(from, w->normal) : (double)w->params.radius * slope;
-    w->data->length = (double)hit.fraction * path.length - (isShape(w) ? 1 : 2) * (double)w->params.radius;
-    w->ground = hit.model;
-    w->groundSerial = McdModelGetSerial(hit.model);
-    w->groundStamp = McdModelGetStamp(hit.model);
+    w->data->length = (double)hit->fraction * path->length - (isShape(w) ? 1 : 2) * (double)w->params.radius;
+    w->ground = hit->model;
+    w->groundSerial = McdModelGetSerial(hit->model);
+    w->groundStamp = McdModelGetStamp(hit->model);
     return METRUE;
 }
 
@@ -298,12 +304,17 @@ static void setData(MstWheel *w, MeBool isOnGround, double h) {
 
 void mst_vehicleCast(MstVehicle *v, MdtBodyID b, double h) {
     MdtKeaTransformation pose;
+    Path path[MST_VEHICLE_WHEELS];
+    McdCastResult hit[MST_VEHICLE_WHEELS];
     MdtBodyGetExactPose(b, &pose);
+    for (int i = 0; i < v->wheelCount; i++)
+        pathOf(v, v->wheel[i], &pose, &path[i]);
+    castAll(v, &pose, path, hit);
     for (int i = 0; i < v->wheelCount; i++) {
         MstWheel *w = v->wheel[i];
         if (!w->data)
             continue;
-        setData(w, findGround(v, w, &pose), h);
+        setData(w, findGround(w, &path[i], &hit[i]), h);
         if (w->model)
             mst_wheelBodyDrive(w);
         else
