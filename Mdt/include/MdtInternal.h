@@ -183,6 +183,10 @@ MEPUBLIC void MEAPI MdtGroundWheelPlace(const MdtConstraintID c, const MdtWheelP
 MEPUBLIC MeBool MEAPI MdtGroundWheelJoin(const MdtConstraintID c, const MdtConstraintID twin, double stiffness);
 /** Destroys the joint, if it is still there. */
 MEPUBLIC void MEAPI MdtGroundWheelDestroy(const MdtConstraintID c, MeU64 serial);
+/** 1/kg: the velocity at a point along a direction by a unit impulse at another point along another direction, of the
+ *  body without joints; world frame. */
+MEPUBLIC double MEAPI MdtBodyGetMobility(const MdtBodyID b, const double from[3], const double impulse[3],
+                                         const double at[3], const double direction[3]);
 /** The pose of a body's frame before rounding: a point p of it is at R p + position. */
 MEPUBLIC void MEAPI MdtBodyGetExactPose(const MdtBodyID b, MdtKeaTransformation *pose);
 /** @} */

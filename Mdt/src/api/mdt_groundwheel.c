@@ -92,3 +92,16 @@ void MEAPI MdtGroundWheelDestroy(const MdtConstraintID c, MeU64 serial) {
 void MEAPI MdtBodyGetExactPose(const MdtBodyID b, MdtKeaTransformation *pose) {
     *pose = b->frame;
 }
+
+double MEAPI MdtBodyGetMobility(const MdtBodyID b, const double from[3], const double impulse[3], const double at[3],
+                                const double direction[3]) {
+    MdtKeaBody kicked = b->kea;
+    double arm[3], spin[3], velocity[3];
+    keaSubtract(arm, from, b->kea.position);
+    keaCross(kicked.angularMomentum, arm, impulse);
+    MdtKeaBodyGetAngularVelocity(&kicked, spin);
+    keaSubtract(arm, at, b->kea.position);
+    keaCross(velocity, spin, arm);
+    keaAddScaled(velocity, b->kea.invMass, impulse);
+    return keaDot(velocity, direction);
+}

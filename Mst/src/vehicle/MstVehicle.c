@@ -416,11 +416,16 @@ static void begin(MstVehicle *v, double h) {
     if (!b || (!MdtBodyIsEnabled(b) && !(isToWake(v) && MdtBodyWakeIfAsleep(b))))
         return;
     v->isActive = METRUE;
+    v->step = h;
     for (int i = 0; i < v->wheelCount; i++)
         v->wheel[i]->data = mst_wheelData(v->wheel[i], b);
     mst_vehicleBalance(v, b);
     mst_vehicleDrive(v, b, h);
     mst_vehicleCast(v, b, h);
+    mst_vehicleLock(v, b, h);
+    for (int i = 0; i < v->wheelCount; i++)
+        if (v->wheel[i]->model && v->wheel[i]->data)
+            mst_wheelBodyDrive(v->wheel[i]);
     v->hasChanged = MEFALSE;
 }
 
@@ -451,10 +456,11 @@ void mst_vehiclesBegin(MstUniverse *u, MeReal step) {
 void mst_vehiclesEnd(const MstUniverse *u) {
     for (MstVehicle *v = u->vehicles; v; v = v->next) {
         const MdtBodyID body = v->isActive ? mst_vehicleBody(v) : 0;
-        if (body)
-            mst_vehicleShow(v, body);
-        if (body)
-            MdtBodyGetExactPose(body, &v->seen);
+        if (!body)
+            continue;
+        mst_vehicleEqualize(v, body, v->step);
+        mst_vehicleShow(v, body);
+        MdtBodyGetExactPose(body, &v->seen);
     }
 }
 

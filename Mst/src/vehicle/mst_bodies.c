@@ -138,8 +138,8 @@ void mst_wheelEndBody(MstWheel *w) {
 /* The engine turns the wheel, beyond any speed, with what its brake leaves of the torque; or the brake holds it. */
 static void turn(const MstWheel *w) {
     static const MeReal fastest = (MeReal)1e4; /* rad/s */
-    const double net = fabs(w->torque) - w->brake;
-    const MeReal velocity = net <= 0 ? 0 : w->torque > 0 ? fastest : -fastest;
+    const double torque = w->own.drive, net = fabs(torque) - w->brake;
+    const MeReal velocity = net <= 0 ? 0 : torque > 0 ? fastest : -fastest;
     MdtCarWheelSetHingeLimitedForceMotor(w->carWheel, velocity, (MeReal)fabs(net));
 }
 

@@ -1,4 +1,4 @@
-/* What drives a vehicle: engine, gears, differentials, brakes, steering; the forces of air and balance.
+/* What drives a vehicle: engine, gears, brakes, steering; the forces of air and balance.
  *
  * A driven wheel takes a share of the engine's inertia while a gear is in: I + w G² I_engine, w its share of the
  * torque, G the gear. The engine then turns as the mean of the wheels; below its idle speed the clutch slips. */
@@ -197,57 +197,6 @@ static double driveTorque(MstVehicle *v, double throttle, double h) {
     return ratio * engineTorque(v, throttle, speed < idle);
 }
 
-/* ---- differentials ----------------------------------------------------------------------------------------------- */
-
-static MeBool isDriven(const MstWheel *w) {
-    return w->params.drive > 0;
-}
-
-/* Of the driven wheels of an axle, or of all: their inertia, torque, and the mean of their spins. */
-typedef struct Shaft {
-    double inertia, torque, spin;
-} Shaft;
-
-static Shaft shaftOf(const MstVehicle *v, int axle) {
-    Shaft s = {0, 0, 0};
-    for (int i = 0; i < v->wheelCount; i++) {
-        const MstWheel *w = v->wheel[i];
-        if (!isDriven(w) || (axle >= 0 && w->params.axle != axle))
-            continue;
-        s.inertia += w->inertia;
-        s.torque += w->torque;
-        s.spin += w->inertia * spinOf(w);
-    }
-    s.spin /= s.inertia > 0 ? s.inertia : 1;
-    return s;
-}
-
-/* N m: what a differential takes from something that turns faster than the mean, so that it turns as fast at the end of
- * the step. */
-static double lockTorque(double inertia, double faster, double torque, double lock, double h) {
-    const double all = inertia * faster / h, max = lock * fabs(torque);
-    return lock >= 1 ? all : fmin(fmax(all, -max), max);
-}
-
-static void lockDifferentials(const MstVehicle *v, double h) {
-    const double axleLock = (double)v->params.axleLock, centreLock = (double)v->params.centreLock;
-    double by[MST_VEHICLE_WHEELS] = {0};
-    if (axleLock <= 0 && centreLock <= 0)
-        return;
-    const Shaft all = shaftOf(v, -1);
-    for (int i = 0; i < v->wheelCount; i++) {
-        const MstWheel *w = v->wheel[i];
-        if (!isDriven(w))
-            continue;
-        const Shaft axle = shaftOf(v, w->params.axle);
-        by[i] =
-            lockTorque(w->inertia, spinOf(w) - axle.spin, axle.torque / 2, axleLock, h) +
-            lockTorque(axle.inertia, axle.spin - all.spin, all.torque / 2, centreLock, h) * w->inertia / axle.inertia;
-    }
-    for (int i = 0; i < v->wheelCount; i++)
-        v->wheel[i]->torque -= by[i];
-}
-
 /* ---- forces on the chassis --------------------------------------------------------------------------------------- */
 
 /* Implicit in the step, so that it never turns the motion back. */
@@ -315,17 +264,16 @@ static void balance(MstVehicle *v, MdtBodyID b, const double gravity[3], double 
 
 /* ---- the step ---------------------------------------------------------------------------------------------------- */
 
-static void turnWheels(MstVehicle *v, double torque, double brake, double h) {
+static void turnWheels(MstVehicle *v, double torque, double brake) {
     const double ratio = ratioOf(v), inertia = ratio * ratio * (double)v->params.engineInertia;
     for (int i = 0; i < v->wheelCount; i++) {
         MstWheel *w = v->wheel[i];
         const double share = shareOf(v, w), load = w->data ? w->data->load : 0;
         w->torque = share * torque;
-        w->inertia = (double)w->params.inertia + share * inertia;
+        w->inertia = (double)w->params.inertia + (w->model ? 0 : share * inertia);
         w->brake = brake * (double)w->params.brake + v->handbrake * (double)w->params.handbrake +
                    (double)w->params.rollingResistance * load * (double)w->params.radius;
     }
-    lockDifferentials(v, h);
 }
 
 void mst_vehicleDrive(MstVehicle *v, MdtBodyID b, double h) {
@@ -336,7 +284,7 @@ void mst_vehicleDrive(MstVehicle *v, MdtBodyID b, double h) {
     v->shiftLeft = fmax(v->shiftLeft - h, 0);
     steer(v, b, gravity, h);
     const double throttle = chooseGear(v, mst_vehicleSpeed(v, b), &brake);
-    turnWheels(v, driveTorque(v, throttle, h), brake, h);
+    turnWheels(v, driveTorque(v, throttle, h), brake);
     resistAir(v, b, h);
     balance(v, b, gravity, h);
 }

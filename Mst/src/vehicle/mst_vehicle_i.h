@@ -60,9 +60,11 @@ struct MstVehicle {
     double shiftLeft;          /* s, until the gear is in */
     double engineSpeed;        /* rad/s */
     double load[5];            /* mass, its centre and gravity for which the wheels' springs were computed */
+    double clutch[MST_VEHICLE_WHEELS]; /* N m, of this step, of the locks of differentials */
     double lean, leanRate;     /* rad, rad/s: that a motorcycle's balance keeps */
     MdtKeaTransformation seen; /* the chassis' pose after the last step */
     MeBool isActive;           /* in this step */
+    double step;               /* s, its length */
 };
 
 /* The chassis' body; null: it is gone. */
@@ -77,6 +79,11 @@ MdtBclGroundWheel *mst_wheelData(MstWheel *w, MdtBodyID b);
 double mst_vehicleSpeed(const MstVehicle *v, MdtBodyID b);
 /* Torques of engine and brakes, the steering, the gears; forces of the air and of balance. */
 void mst_vehicleDrive(MstVehicle *v, MdtBodyID b, double h);
+/* Locks of differentials: their torques in this step, after the cast; what is left to them after the step. */
+void mst_vehicleLock(MstVehicle *v, MdtBodyID b, double h);
+void mst_vehicleEqualize(MstVehicle *v, MdtBodyID b, double h);
+/* The direction in which a wheel rolls, and its axle, to the left, chassis' frame. */
+void mst_wheelAxes(const MstVehicle *v, const MstWheel *w, double forward[3], double axle[3]);
 /* Whether what a wheel stands on is still there. */
 MeBool mst_wheelHasGround(const MstWheel *w);
 /* Whether what a wheel stands on has moved or is gone. */

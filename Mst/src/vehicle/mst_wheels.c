@@ -124,8 +124,7 @@ static void toWorld(const MdtKeaTransformation *pose, const double local[3], dou
     keaAddScaled(world, 1, pose->pos);
 }
 
-/* The axle, to the left, and the direction in which the wheel rolls, chassis' frame. */
-static void axesOf(const MstVehicle *v, const MstWheel *w, double forward[3], double axle[3]) {
+void mst_wheelAxes(const MstVehicle *v, const MstWheel *w, double forward[3], double axle[3]) {
     keaScale(forward, cos(w->steering), v->forward);
     keaAddScaled(forward, sin(w->steering), v->left);
     keaCross(axle, v->up, forward);
@@ -161,7 +160,7 @@ static MeBool castShape(const MstVehicle *v, const MstWheel *w, const MdtKeaTran
     double forward[3], axle[3], x[3], z[3];
     MeMatrix4 tm;
     const MeVector3 by = {(MeReal)path->by[0], (MeReal)path->by[1], (MeReal)path->by[2]};
-    axesOf(v, w, forward, axle);
+    mst_wheelAxes(v, w, forward, axle);
     keaApply(x, pose->R, forward);
     keaApply(z, pose->R, axle);
     keaCross(forward, z, x);
@@ -217,7 +216,7 @@ static void placeJoint(const MstVehicle *v, MstWheel *w, MdtBodyID b) {
     const MdtBodyID found = w->ground ? mst_bodyInWorld(v, w->ground) : 0, ground = found != b ? found : 0;
     keaCopy(place.position, w->position);
     keaCopy(place.up, v->up);
-    axesOf(v, w, place.forward, axle);
+    mst_wheelAxes(v, w, place.forward, axle);
     keaCopy(place.point, w->point);
     keaCopy(place.normal, w->ground ? w->normal : v->up);
     MdtGroundWheelPlace(w->joint, &place, ground);
@@ -315,9 +314,7 @@ void mst_vehicleCast(MstVehicle *v, MdtBodyID b, double h) {
         if (!w->data)
             continue;
         setData(w, findGround(w, &path[i], &hit[i]), h);
-        if (w->model)
-            mst_wheelBodyDrive(w);
-        else
+        if (!w->model)
             placeJoint(v, w, b);
     }
     for (int i = 0; i < v->wheelCount; i++) {
@@ -339,7 +336,7 @@ void mst_vehicleShow(MstVehicle *v, MdtBodyID b) {
             continue;
         }
         shareBar(w);
-        axesOf(v, w, forward, axle);
+        mst_wheelAxes(v, w, forward, axle);
         keaCopy(place, w->position);
         keaAddScaled(place, -length, v->up);
         toWorld(&pose, place, centre);
