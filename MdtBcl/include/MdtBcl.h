@@ -226,6 +226,7 @@ typedef struct MdtBclGroundWheel {
     double radius, distance;               /**< m: of the wheel; from its centre to the plane that it touches */
     double mass;                           /**< kg, that it carries */
     MeBool isOnGround;                     /**< else the wheel hangs, without rows */
+    MeBool isParked;                       /**< a brake stops a wheel of the vehicle: θ = 1 */
     double stiffness, damping, freeLength; /**< N/m, N s/m, m: length of the unloaded suspension */
     double low;                            /**< m: length at the stop */
     double barStiffness;                   /**< N/m: of an anti-roll bar to a wheel on the same ground; 0: none */

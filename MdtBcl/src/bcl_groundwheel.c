@@ -75,13 +75,17 @@ static void carry(const double centre[3], const double way[3], const double u[3]
     keaAddScaled(point, 1, arm);
 }
 
-/* Where all is after the step if both bodies keep their velocities. */
-static void advance(const MdtBclContext *x, Place *at) {
+/* Where all is after the step if bodies have the accelerations of the last one, with θ of their displacement. */
+static void advance(const MdtBclContext *x, double theta, Place *at) {
     const double h = x->parameters.stepsize;
     for (int k = 0; k < 2; k++) {
         double way[3], u[3];
         keaScale(way, h, x->velocity[k]->lin);
         keaScale(u, h / 2, x->velocity[k]->ang);
+        if (x->kea[k]) {
+            keaAddScaled(way, theta * h * h, x->kea[k]->acceleration);
+            keaAddScaled(u, theta * h * h / 2, x->kea[k]->acceleration + 3);
+        }
         if (keaDot(way, way) + keaDot(u, u) == 0)
             continue;
         carry(at->centre[k], way, u, k == 0 ? at->a : at->p);
@@ -242,17 +246,17 @@ typedef struct Course {
     Place start, mean, end;
 } Course;
 
-static void courseOf(const MdtBclFrame frame[2], const MdtBclContext *x, Course *course) {
+static void courseOf(const MdtBclFrame frame[2], const MdtBclContext *x, MeBool isParked, Course *course) {
     placeAt(frame, x->pose, &course->start);
     course->end = course->start;
-    advance(x, &course->end);
+    advance(x, isParked ? 1 : 0.5, &course->end);
     meanPlace(&course->start, &course->end, &course->mean);
 }
 
 static void barRow(const MdtBclGroundWheel *g, const MdtBclContext *x, const Touch *w, double length, MdtKeaRow *row) {
     Course other;
     Touch twin;
-    courseOf(g->twin, x, &other);
+    courseOf(g->twin, x, g->isParked, &other);
     touchAt(&other.mean, g->twinDistance, g->twinShape, reachOf(g), &twin);
     bcl_startRow(row, x);
     addGroundRow(w, w->n, 1 / w->slope, row);
@@ -298,14 +302,17 @@ static void tyreAxes(const Place *at, double x[3], double y[3]) {
     keaCross(y, at->n, x);
 }
 
-/* Rates of the tyre are those at the end of the step, as are its axes. */
-static void tyreRows(const MdtBclGroundWheel *g, const MdtBclContext *x, const Place *end, MdtKeaRow rows[2]) {
+/* The tyre's velocities are those at the end of the step. A parked vehicle moves by these (θ = 1), along the chord of its
+ * way, as does ground that moves: so it does not creep. */
+static void tyreRows(const MdtBclGroundWheel *g, const MdtBclContext *x, const Course *course, MdtKeaRow rows[2]) {
+    const Place *at = g->isParked ? &course->mean : &course->end;
     double along[3], across[3];
     Touch w;
-    touch(g, end, &w);
-    tyreAxes(end, along, across);
+    touch(g, at, &w);
+    tyreAxes(at, along, across);
     groundRow(x, &w, along, 1, &rows[0]);
     rollingRow(g, x, &rows[0]);
+    rows[0].backward = g->isParked;
     groundRow(x, &w, across, 1, &rows[1]);
     rows[1].upper = g->bound[1];
     rows[1].lower = -g->bound[1];
@@ -317,7 +324,7 @@ static void groundRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKea
     const MdtBclGroundWheel *g = &c->of.groundWheel;
     Course course;
     Touch w;
-    courseOf(c->frame, x, &course);
+    courseOf(c->frame, x, g->isParked, &course);
     touch(g, &course.mean, &w);
     const double length = lengthOf(&course.start, g->distance);
     groundRow(x, &w, w.n, 1 / w.slope, rows);
@@ -328,7 +335,7 @@ static void groundRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKea
         rows->error = length - g->low;
         bcl_makeStop(rows++, x);
     }
-    tyreRows(g, x, &course.end, rows);
+    tyreRows(g, x, &course, rows);
     if (g->rows & BAR)
         barRow(g, x, &w, length, rows + 2);
 }

@@ -353,8 +353,9 @@ static inline double kea_rateAlong(const MdtKeaJBlock *J, const MdtKeaVelocity *
 /* Whether a row may reach a bound in this step: one-sided rows always, rows with two bounds if the last force was more
  * than half of one of them. */
 MeBool kea_mayReachBound(const MdtKeaRow *row);
-/* Whether a spring is too stiff for the midpoint rule and is integrated by backward Euler (θ = 1). */
-MeBool kea_isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row);
+/* Whether the bodies of a row are integrated by backward Euler (θ = 1): the row says so, or it is a spring that is too
+ * stiff for the midpoint rule. */
+MeBool kea_isBackward(const MdtKeaSystem *s, const MdtKeaRow *row);
 /* Copies a body's Jacobian to six numbers in a row. */
 static inline void kea_copyBlock(double J[6], const MdtKeaJBlock *block) {
     keaCopy(J, block->lin);

@@ -233,6 +233,63 @@ TEST(it_rides_on_a_model_that_is_moved) {
     }
 }
 
+/* m: of the car, from the middle of the platform, in its axes. */
+static void placeOn(MdtBodyID platform, double at[3]) {
+    MeVector3 p;
+    const MeMatrix4Ptr tm = MdtBodyGetTransformPtr(platform);
+    MdtBodyGetPosition(body, p);
+    for (int i = 0; i < 3; i++) {
+        at[i] = 0;
+        for (int k = 0; k < 3; k++)
+            at[i] += (double)tm[i][k] * ((double)p[k] - (double)tm[3][k]);
+    }
+}
+
+enum { TURNS, SHUTTLES, LIFTS, MOTIONS };
+
+static void movePlatform(MdtBodyID platform, int motion, double t, double share) {
+    const MeReal spin = (MeReal)(share * .5 / sqrt(now.size)), speed = (MeReal)(share * sin(2 * t));
+    const MeReal aside = (MeReal)(share * cos(2 * t));
+    if (motion == TURNS)
+        MdtBodySetAngularVelocity(platform, 0, 0, spin);
+    else
+        MdtBodySetLinearVelocity(platform, motion == SHUTTLES ? speed : 0, motion == SHUTTLES ? aside : 0,
+                                 motion == LIFTS ? speed : 0);
+}
+
+/* The ground takes 4 s to its full motion and back from it, a turn of a turntable: the car is where it was. */
+TEST(a_parked_car_does_not_creep_on_ground_that_moves) {
+    static const double steps[] = {1. / 30, 1. / 60, 1. / 240};
+    for (int i = 0; i < SETUPS; i++)
+        for (int motion = 0; motion < MOTIONS; motion++) {
+            Setup s = setups[i];
+            double before[3], after[3];
+            s.h = steps[(i + motion) % 3];
+            setCar(&s);
+            const McdModelID m = MstModelAndBodyCreate(
+                u, McdBoxCreate(u->frame, (MeReal)(60 * now.size), (MeReal)(60 * now.size), 1), 1);
+            const MdtBodyID platform = McdModelGetBody(m);
+            MdtBodySetPosition(platform, 0, 0, (MeReal)-.5);
+            MdtBodySetKinematic(platform, METRUE);
+            for (int k = 0; k < REAR_LEFT; k++)
+                wheels[k].handbrake = 0;
+            putCar(0);
+            MdtBodySetPosition(body, (MeReal)(8 * now.size), (MeReal)now.size, (MeReal)(.52 * now.size));
+            drive(0, 0, 0, 1);
+            run(1);
+            placeOn(platform, before);
+            const double end = 4 + 2 * ME_PI / .5 * sqrt(now.size);
+            for (int k = 0; k < (int)((end + 4) / now.h); k++) {
+                const double t = fmin((k + 1) * now.h, end);
+                movePlatform(platform, motion, t, fmin(fmin(t, end - t) / 4, 1));
+                run(now.h);
+            }
+            placeOn(platform, after);
+            for (int k = 0; k < 3; k++)
+                assert_near((after[k] - before[k]) / now.size, 0, 1e-3);
+        }
+}
+
 /* The car accelerates on a heavy board that slides without friction: their momentum stays. */
 TEST(it_pushes_the_ground_back) {
     for (int i = 0; i < SETUPS; i++) {

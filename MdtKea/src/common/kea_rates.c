@@ -110,9 +110,9 @@ static double inverseMassOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
 
 /* With κ = h² k / m and δ = h d / m, the rates of the motion, times h, are the roots of x² - δ x + κ. The larger one is
  * beyond 2 if κ > 4 or, of real roots, if the polynomial is negative at 2. */
-MeBool kea_isTooStiff(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    if (!row->spring)
-        return MEFALSE;
+MeBool kea_isBackward(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    if (row->backward || !row->spring)
+        return row->backward;
     const double h = s->parameters.stepsize, perMass = row->mass > 0 ? 1 / row->mass : inverseMassOf(s, row);
     const double stiffness = h * h * row->stiffness * perMass, damping = h * row->damping * perMass;
     return stiffness > kea_stiffSpring || 2 * damping > kea_stiffSpring + stiffness;

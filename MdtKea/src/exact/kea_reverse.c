@@ -23,7 +23,7 @@ static MeBool isRowReversible(const MdtKeaSystem *s, const MdtKeaRow *row) {
     if (row->contact >= 0 || row->normal >= 0 || row->lower > -HUGE_VAL || row->upper < HUGE_VAL)
         return MEFALSE;
     if (row->spring)
-        return row->damping == 0 && row->target == 0 && !kea_isTooStiff(s, row);
+        return row->damping == 0 && row->target == 0 && !kea_isBackward(s, row);
     return row->position && row->drift == 0 && row->softness == 0;
 }
 

@@ -104,7 +104,7 @@ static void chooseTheta(MdtKeaSystem *s) {
         const MeBool isActing = row->contact == i ? !s->work->problem.row[i].isInactive
                                                   : row->position && kea_mayReachBound(row) && row->force != 0 &&
                                                         rateAt(row, s->velocity) <= -row->carried;
-        if (isActing || kea_isTooStiff(s, row))
+        if (isActing || kea_isBackward(s, row))
             useBackwardEuler(s, row);
     }
     spreadTheta(s);

@@ -380,7 +380,7 @@ static MeBool isPredictable(const MdtKeaSystem *s, const KeaJointBody *b) {
 /* Whether all bodies of the block are predictable, and no spring is too stiff for the midpoint rule. */
 static MeBool isBlockPredictable(const MdtKeaSystem *s, const KeaJoints *j, const KeaJointBlock *b) {
     for (int i = b->firstRow; i < b->endRow; i++)
-        if (kea_isTooStiff(s, j->sorted[i]))
+        if (kea_isBackward(s, j->sorted[i]))
             return MEFALSE;
     for (int n = b->firstNode; n < b->firstNode + b->numNodes; n++)
         if (!isPredictable(s, &j->body[n]))

@@ -285,8 +285,19 @@ static void shareBar(const MstWheel *w) {
 
 /* ---- the step ---------------------------------------------------------------------------------------------------- */
 
-static void setData(MstWheel *w, MeBool isOnGround, double h) {
+/* Whether in the last step a brake has stopped a wheel on the ground that does not slide. */
+static MeBool isParked(const MstVehicle *v) {
+    for (int i = 0; i < v->wheelCount; i++) {
+        const MdtBclGroundWheel *d = v->wheel[i]->data;
+        if (d && d->isOnGround && d->isLocked && fabs(d->force[0]) < d->bound[0] && !v->wheel[i]->model)
+            return METRUE;
+    }
+    return MEFALSE;
+}
+
+static void setData(MstWheel *w, MeBool isOnGround, MeBool isParked, double h) {
     MdtBclGroundWheel *d = w->data;
+    d->isParked = isParked;
     if (isOnGround && !d->isOnGround)
         d->load = d->stiffness * fmax(d->freeLength - d->length, 0);
     d->isOnGround = isOnGround;
@@ -309,11 +320,12 @@ void mst_vehicleCast(MstVehicle *v, MdtBodyID b, double h) {
     for (int i = 0; i < v->wheelCount; i++)
         pathOf(v, v->wheel[i], &pose, &path[i]);
     castAll(v, &pose, path, hit);
+    const MeBool isAnyParked = isParked(v);
     for (int i = 0; i < v->wheelCount; i++) {
         MstWheel *w = v->wheel[i];
         if (!w->data)
             continue;
-        setData(w, findGround(w, &path[i], &hit[i]), h);
+        setData(w, findGround(w, &path[i], &hit[i]), isAnyParked, h);
         if (!w->model)
             placeJoint(v, w, b);
     }
