@@ -160,6 +160,38 @@ TEST(its_gears_tell_its_speed) {
     }
 }
 
+/* Turns per minute that the engine would have without slip, in the present gear. */
+static double turnsOverGround(void) {
+    const double ratio = (double)(params.gear[MstVehicleGetGear(car) - 1] * params.finalDrive);
+    return velocity(0) / (.32 * now.size) * ratio * 30 / ME_PI;
+}
+
+/* Wheels that spin, or that brakes stop, do not change gears: the speed over the ground does. */
+TEST(the_automatic_does_not_hunt_on_ice) {
+    for (int i = 0; i < SETUPS; i++) {
+        int shifts = 0, last = 1;
+        begin(i);
+        params.torque = (MstCurve){1, {{0, (MeReal)(.3 * now.mass * now.size)}}};
+        for (int k = 0; k < WHEELS; k++)
+            wheels[k].along = wheels[k].across = (MstCurve){3, {{0, 0}, {(MeReal).08, (MeReal).3}, {1, (MeReal).2}}};
+        for (int k = 0; k < 5; k++)
+            params.gear[k] *= (MeReal)(3 * sqrt(now.size)); /* for a top speed that is reached soon */
+        putCar(0);
+        run(.5);
+        for (int k = 0; k < (int)(30 / now.h); k++) {
+            const double t = k * now.h;
+            drive(t < 18 ? 1 : 0, 0, t < 18 ? 0 : 1, 0);
+            run(now.h);
+            const int gear = MstVehicleGetGear(car);
+            shifts += gear != last;
+            last = gear;
+            ck_assert(gear == 5 || turnsOverGround() < 1.05 * (double)params.shiftUp);
+            ck_assert(gear == 1 || turnsOverGround() > .9 * (double)params.shiftDown);
+        }
+        ck_assert_msg(shifts >= 4 && shifts <= 8, "%d: %d changes", i, shifts);
+    }
+}
+
 /* ---- across ------------------------------------------------------------------------------------------------------ */
 
 TEST(it_turns_on_the_circle_of_its_wheels) {

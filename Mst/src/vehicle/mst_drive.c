@@ -148,10 +148,50 @@ static void shift(MstVehicle *v, int gear) {
     v->shiftLeft = (double)v->params.shiftTime;
 }
 
+/* m/s, over the ground, forwards: the mean of the wheels that stand on it, or of the driven ones of them; off the
+ * ground, and of wheels that are bodies, that of the chassis. Returns whether a wheel stands on it. */
+static MeBool speedOverGround(const MstVehicle *v, MdtBodyID b, MeBool isOfDriven, double *speed) {
+    double sum = 0;
+    int count = 0;
+    for (int i = 0; i < v->wheelCount; i++) {
+        const MstWheel *w = v->wheel[i];
+        if (!w->data || !w->data->isOnGround || (isOfDriven && !(w->params.drive > 0)))
+            continue;
+        sum += w->model ? mst_vehicleSpeed(v, b) : w->data->velocity[0];
+        count++;
+    }
+    *speed = count > 0 ? sum / count : mst_vehicleSpeed(v, b);
+    return count > 0;
+}
+
+/* m: the mean of the driven wheels. */
+static double drivenRadius(const MstVehicle *v) {
+    double sum = 0;
+    for (int i = 0; i < v->wheelCount; i++)
+        sum += shareOf(v, v->wheel[i]) * (double)v->wheel[i]->params.radius;
+    return sum;
+}
+
+/* Changes gears by the turns that the engine would have if the wheels did not slip: what spins on ice gets no higher
+ * gear, and wheels that brakes stop no lower one. In the air it changes none. */
+static void changeGear(MstVehicle *v, MdtBodyID b) {
+    double speed;
+    const double radius = drivenRadius(v);
+    if (v->shiftLeft > 0 || v->gear <= 0 || !(radius > 0) || !speedOverGround(v, b, METRUE, &speed))
+        return;
+    const double rpm = fabs(ratioOfGear(v) * speed) / radius / turns;
+    if (v->gear < v->params.gears && rpm > (double)v->params.shiftUp)
+        shift(v, v->gear + 1);
+    else if (v->gear > 1 && rpm < (double)v->params.shiftDown)
+        shift(v, v->gear - 1);
+}
+
 /* The automatic. Returns the throttle; what brakes instead is added to *brake. */
-static double chooseGear(MstVehicle *v, double speed, double *brake) {
-    static const double slow = 1; /* m/s: below it, the direction may change */
-    const double target = v->throttle, rpm = fabs(ratioOfGear(v) * drivenSpin(v)) / turns;
+static double chooseGear(MstVehicle *v, MdtBodyID b, double *brake) {
+    const double slow = (double)v->universe->sizes.lengthScale; /* m/s: below it, the direction may change */
+    const double target = v->throttle;
+    double speed;
+    speedOverGround(v, b, MEFALSE, &speed);
     if (!v->isAutomatic)
         return fmax(target, 0);
     if (target != 0 && speed * target < 0 && fabs(speed) > slow) {
@@ -162,10 +202,8 @@ static double chooseGear(MstVehicle *v, double speed, double *brake) {
         shift(v, -1);
     else if (target > 0 && v->gear < 0)
         shift(v, 1);
-    else if (v->shiftLeft <= 0 && v->gear > 0 && v->gear < v->params.gears && rpm > (double)v->params.shiftUp)
-        shift(v, v->gear + 1);
-    else if (v->shiftLeft <= 0 && v->gear > 1 && rpm < (double)v->params.shiftDown)
-        shift(v, v->gear - 1);
+    else
+        changeGear(v, b);
     return fabs(target);
 }
 
@@ -283,7 +321,7 @@ void mst_vehicleDrive(MstVehicle *v, MdtBodyID b, double h) {
     fromReal(gravity, g);
     v->shiftLeft = fmax(v->shiftLeft - h, 0);
     steer(v, b, gravity, h);
-    const double throttle = chooseGear(v, mst_vehicleSpeed(v, b), &brake);
+    const double throttle = chooseGear(v, b, &brake);
     turnWheels(v, driveTorque(v, throttle, h), brake);
     resistAir(v, b, h);
     balance(v, b, gravity, h);
