@@ -249,20 +249,36 @@ static void resistAir(const MstVehicle *v, MdtBodyID b, double h) {
         MdtBodyAddLoad(b, force);
 }
 
-/* kg m²: of the chassis about the line on which the wheels stand. */
-static double rollInertia(const MstVehicle *v, MdtBodyID b) {
-    MeMatrix3 tensor;
+/* m: the height of the chassis' centre of mass over the line on which the wheels stand. */
+static double heightOf(const MstVehicle *v, MdtBodyID b) {
     MeVector3 centre;
-    double c[3], height = 0, sum = 0;
-    MdtBodyGetInertiaTensor(b, tensor);
+    double c[3], height = 0;
     MdtBodyGetCenterOfMassRelativePosition(b, centre);
     fromReal(c, centre);
+    for (int i = 0; i < v->wheelCount; i++)
+        height += (keaDot(c, v->up) - placeOf(v->wheel[i], v->up) + (double)v->wheel[i]->params.radius) / v->wheelCount;
+    return height;
+}
+
+/* kg m²: of the chassis about that line. */
+static double rollInertia(const MstVehicle *v, MdtBodyID b, double height) {
+    MeMatrix3 tensor;
+    double sum = 0;
+    MdtBodyGetInertiaTensor(b, tensor);
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             sum += v->forward[i] * (double)tensor[i][k] * v->forward[k];
-    for (int i = 0; i < v->wheelCount; i++)
-        height += (keaDot(c, v->up) - placeOf(v->wheel[i], v->up) + (double)v->wheel[i]->params.radius) / v->wheelCount;
     return sum + (double)MdtBodyGetMass(b) * height * height;
+}
+
+/* N m: by which gravity, and the curve that is driven, lean the chassis further to the left. */
+static double leaningTorque(const MstVehicle *v, MdtBodyID b, const double gravity[3], double lean, double height) {
+    MeVector3 spin;
+    double turning[3];
+    MdtBodyGetAngularVelocity(b, spin);
+    fromReal(turning, spin);
+    const double g = keaLength(gravity), aside = -mst_vehicleSpeed(v, b) * keaDot(turning, gravity) / g;
+    return (double)MdtBodyGetMass(b) * height * (g * sin(lean) - aside * cos(lean));
 }
 
 /* The wheel whose joint carries the balance: one that does not steer, so that it looks ahead; null: none. */
@@ -274,16 +290,19 @@ static MstWheel *balancingWheel(const MstVehicle *v) {
 }
 
 /* Moves the lean that the balance keeps towards a target, no faster than tyres can bear: what leans over pushes them
- * aside. */
+ * aside. It stops before the limit. */
 static void moveLean(MstVehicle *v, double target, double h) {
+    const double limit = (double)v->params.leanLimit;
     static const double frequency = 6, maxAcceleration = 4; /* rad/s, rad/s² */
     const double all = frequency * frequency * (target - v->lean - h * v->leanRate) - 2 * frequency * v->leanRate;
     const double acceleration = all / (1 + 2 * frequency * h + frequency * frequency * h * h);
     v->leanRate += h * fmin(fmax(acceleration, -maxAcceleration), maxAcceleration);
-    v->lean += h * v->leanRate;
+    v->leanRate = fmin(v->leanRate, sqrt(2 * maxAcceleration * fmax(limit - v->lean, 0)));
+    v->leanRate = fmax(v->leanRate, -sqrt(2 * maxAcceleration * fmax(limit + v->lean, 0)));
+    v->lean = fmin(fmax(v->lean + h * v->leanRate, -limit), limit);
 }
 
-/* A damped spring to the lean at which gravity and the curve are in balance. */
+/* A damped spring to the lean at which gravity and the curve are in balance, and what they lack of it on the way. */
 static void balance(MstVehicle *v, MdtBodyID b, const double gravity[3], double h) {
     double behind, slope;
     MstWheel *w = v->params.leanLimit > 0 && keaLength(gravity) > 0 ? balancingWheel(v) : 0;
@@ -292,11 +311,14 @@ static void balance(MstVehicle *v, MdtBodyID b, const double gravity[3], double 
     const double limit = (double)v->params.leanLimit, speed = mst_vehicleSpeed(v, b);
     const double curvature = curvatureOf(v, v->lock, &behind, &slope);
     const double target = fmin(fmax(atan(speed * speed * curvature / keaLength(gravity)), -limit), limit);
-    const double rate = 2 * ME_PI * (double)v->params.leanFrequency, inertia = rollInertia(v, b);
+    const double rate = 2 * ME_PI * (double)v->params.leanFrequency, height = heightOf(v, b);
+    const double inertia = rollInertia(v, b, height), lean = leanOf(v, b, gravity);
+    const double before = v->leanRate;
     moveLean(v, target, h);
-    w->data->lean = leanOf(v, b, gravity) - v->lean;
-    w->data->leanRate = v->leanRate;
+    const double torque = leaningTorque(v, b, gravity, lean, height) - inertia * (v->leanRate - before) / h;
     w->data->leanStiffness = inertia * rate * rate;
+    w->data->lean = lean - v->lean + torque / w->data->leanStiffness;
+    w->data->leanRate = v->leanRate;
     w->data->leanDamping = 2 * inertia * rate;
 }
 
