@@ -501,15 +501,17 @@ TEST(bad_arguments_are_refused) {
     universe_addFloor();
     putCar(0);
     McdModelID chassis = MstVehicleGetChassis(car);
+    McdModelID other = MstModelAndBodyCreate(u, McdSphereCreate(u->frame, 1), 1);
     MstVehicleParams bad = params;
     MstWheelParams badWheel = wheels[0];
     assert_refused(MstVehicleSetDefaults, 0, u);
     assert_refused(MstWheelSetDefaults, &badWheel, 0);
-    assert_none(MstVehicleCreate, 0, chassis, &params);
+    assert_none(MstVehicleCreate, 0, other, &params);
     assert_none(MstVehicleCreate, u, 0, &params);
-    assert_none(MstVehicleCreate, u, chassis, 0);
+    assert_none(MstVehicleCreate, u, other, 0);
+    assert_none(MstVehicleCreate, u, chassis, &params); /* it has one */
     bad.redline = bad.idle;
-    assert_none(MstVehicleCreate, u, chassis, &bad);
+    assert_none(MstVehicleCreate, u, other, &bad);
     badWheel.along.count = 0;
     assert_refused(MstVehicleAddWheel, car, &badWheel);
     ck_assert_int_eq(MstVehicleGetWheelCount(car), WHEELS);
@@ -521,38 +523,72 @@ TEST(bad_arguments_are_refused) {
 
 /* ---- wheels that are bodies -------------------------------------------------------------------------------------- */
 
-/* They stand, drive, steer and brake as the others do, by contacts. */
+/* They stand, drive, steer and brake as the others do, by contacts; in any unit of length. */
+static void driveOnBodies(int i) {
+    Setup s = setups[i];
+    s.cast = kMstVehicleBodies;
+    setCar(&s);
+    universe_addFloor();
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 1, 0);
+    for (int k = 0; k < WHEELS; k++) {
+        wheels[k].inertia = (MeReal)(1e-3 * now.mass * now.size * now.size);
+        wheels[k].brake = (MeReal)(.5 * now.mass * metre * now.size);
+    }
+    putCar(0);
+    run(3);
+    assert_near(place(2) / now.size, .52, 5e-3);
+    drive(1, 0, 0, 0);
+    run(2);
+    ck_assert(velocity(0) > metre && fabs(place(1)) < .05 * now.size);
+    drive(.3, .5, 0, 0);
+    run(1);
+    MeVector3 spin;
+    MdtBodyGetAngularVelocity(body, spin);
+    ck_assert((double)spin[2] > .05);
+    drive(0, 0, 1, 0);
+    run(6);
+    assert_near(hypot(velocity(0), velocity(1)) / metre, 0, .01);
+    MdtBodySetPosition(body, (MeReal)(50 * metre), 0, (MeReal)(.52 * now.size)); /* the wheels go with it */
+    run(1);
+    for (int k = 0; k < WHEELS; k++)
+        ck_assert((double)MstVehicleGetWheelTransformPtr(car, k)[3][0] > 40 * metre);
+    ck_assert(wheel(0).ground && fabs(place(2) / now.size - .52) < .05);
+    MstVehicleDestroy(car);
+    ck_assert_int_eq((int)MdtWorldGetTotalBodies(u->world), 1);
+}
+
 TEST(its_wheels_may_be_bodies) {
-    for (int i = 0; i < 3; i++) {
-        Setup s = setups[i];
-        s.cast = kMstVehicleBodies;
-        setCar(&s);
-        addSlope(0);
-        MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 1, 0);
-        for (int k = 0; k < WHEELS; k++) {
-            wheels[k].inertia = (MeReal)(1e-3 * now.mass * now.size * now.size);
-            wheels[k].brake = (MeReal)(.5 * now.mass * now.size);
-        }
-        putCar(0);
-        run(3);
-        assert_near(place(2) / now.size, .52, 5e-3);
-        drive(1, 0, 0, 0);
-        run(2);
-        ck_assert(velocity(0) > 1 && fabs(place(1)) < .05 * now.size);
-        drive(.3, .5, 0, 0);
-        run(1);
-        MeVector3 spin;
-        MdtBodyGetAngularVelocity(body, spin);
-        ck_assert((double)spin[2] > .05);
-        drive(0, 0, 1, 0);
-        run(6);
-        assert_near(hypot(velocity(0), velocity(1)), 0, .01);
-        MdtBodySetPosition(body, 50, 0, (MeReal)(.52 * now.size)); /* the wheels go with it */
-        run(1);
-        for (int k = 0; k < WHEELS; k++)
-            ck_assert((double)MstVehicleGetWheelTransformPtr(car, k)[3][0] > 40);
-        ck_assert(wheel(0).ground && fabs(place(2) / now.size - .52) < .05);
-        MstVehicleDestroy(car);
-        ck_assert_int_eq((int)MdtWorldGetTotalBodies(u->world), 1);
+    for (int i = 0; i < 6; i++) {
+        metre = i % 2 ? 100 : 1;
+        driveOnBodies(i / 2);
+    }
+    metre = 1;
+}
+
+/* In centimetres: the way after some seconds of all pedals is a hundred times that in metres. */
+static void driveInUnits(int i, double unit, double way[2]) {
+    metre = unit;
+    setCar(&setups[i]);
+    params.axleLock = 1;
+    params.shiftTime = (MeReal).1;
+    universe_addFloor();
+    putCar(0);
+    for (int k = 0; k < (int)(6 / now.h); k++) {
+        const double t = k * now.h;
+        drive(t < 2 ? .5 : t < 4 ? -.5 : .5, .3, 0, t > 5);
+        run(now.h);
+    }
+    way[0] = place(0) / metre;
+    way[1] = place(1) / metre;
+    metre = 1;
+}
+
+TEST(it_drives_alike_in_any_unit_of_length) {
+    for (int i = 0; i < SETUPS; i++) {
+        double metres[2], centimetres[2];
+        driveInUnits(i, 1, metres);
+        driveInUnits(i, 100, centimetres);
+        for (int k = 0; k < 2; k++)
+            assert_near(centimetres[k], metres[k], TOL(1e-2, 1e-4));
     }
 }

@@ -114,7 +114,8 @@ TEST(a_centre_lock_drives_by_the_axle_that_grips) {
             if (locked) {
                 assert_near(a / (1.2 * GRAVITY / 4) * wheelsToo, 1, .01);
                 const double front = (double)(wheel(FRONT_LEFT).spin + wheel(FRONT_RIGHT).spin);
-                assert_near(front, (double)(wheel(REAR_LEFT).spin + wheel(REAR_RIGHT).spin), 4 * roundingOf(FRONT_LEFT));
+                assert_near(front, (double)(wheel(REAR_LEFT).spin + wheel(REAR_RIGHT).spin),
+                            4 * roundingOf(FRONT_LEFT));
             } else {
                 ck_assert(a < .6 * GRAVITY / 4);
             }
@@ -138,8 +139,8 @@ TEST(a_locked_axle_scrubs_in_a_curve) {
             const MstWheelState inner = wheel(REAR_LEFT), outer = wheel(REAR_RIGHT);
             if (locked) {
                 assert_near((double)inner.spin, (double)outer.spin, roundingOf(REAR_LEFT));
-                assert_near((double)(inner.force[0] - outer.force[0]) * .08 /
-                                (double)(inner.load + outer.load) / slip, 1, .05);
+                assert_near((double)(inner.force[0] - outer.force[0]) * .08 / (double)(inner.load + outer.load) / slip,
+                            1, .05);
                 ck_assert(inner.force[0] > 0 && outer.force[0] < 0);
             } else {
                 assert_near((double)inner.spin / (double)outer.spin, (1 - slip) / (1 + slip), .01);

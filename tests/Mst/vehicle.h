@@ -24,6 +24,7 @@ static const Setup setups[] = {{1, 1200, 1. / 60, kMstVehicleRay},
 enum { SETUPS = sizeof setups / sizeof *setups };
 
 static Setup now;
+static double metre = 1; /* in units of length */
 static MstVehicleID car;
 static MdtBodyID body;
 static MstVehicleParams params;
@@ -36,28 +37,31 @@ static inline MstCurve tyre(double slip, double mu) {
 
 /* The parameters of a car: the front steers, the rear drives; no losses. */
 static inline void setCar(const Setup *s) {
+    MstUniverseSizes sizes = MstUniverseGrowingSizes;
+    sizes.lengthScale = (MeReal)metre;
     now = *s;
-    universe_begin(&MstUniverseGrowingSizes);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-GRAVITY);
+    now.size *= metre;
+    universe_begin(&sizes);
+    MdtWorldSetGravity(u->world, 0, 0, (MeReal)(-GRAVITY * metre));
     MdtWorldSetAutoDisable(u->world, 0);
     MstVehicleSetDefaults(&params, u);
     params.cast = s->cast;
     params.drag = params.engineInertia = params.engineBraking = params.shiftTime = 0;
     params.steeringRate = MEINFINITY;
-    params.torque = (MstCurve){1, {{0, (MeReal)(.15 * s->mass * s->size)}}};
+    params.torque = (MstCurve){1, {{0, (MeReal)(.15 * s->mass * metre * now.size)}}};
     for (int i = 0; i < WHEELS; i++) {
         MstWheelParams *w = &wheels[i];
         MstWheelSetDefaults(w, u);
-        w->radius = (MeReal)(.32 * s->size);
-        w->width = (MeReal)(.2 * s->size);
-        w->position[0] = (MeReal)((i < REAR_LEFT ? 1.3 : -1.3) * s->size);
-        w->position[1] = (MeReal)((i % 2 ? -.75 : .75) * s->size);
-        w->position[2] = (MeReal)(-.2 * s->size);
-        w->bump = (MeReal)(.12 * s->size);
-        w->inertia = (MeReal)(1e-6 * s->mass * s->size * s->size);
+        w->radius = (MeReal)(.32 * now.size);
+        w->width = (MeReal)(.2 * now.size);
+        w->position[0] = (MeReal)((i < REAR_LEFT ? 1.3 : -1.3) * now.size);
+        w->position[1] = (MeReal)((i % 2 ? -.75 : .75) * now.size);
+        w->position[2] = (MeReal)(-.2 * now.size);
+        w->bump = (MeReal)(.12 * now.size);
+        w->inertia = (MeReal)(1e-6 * s->mass * now.size * now.size);
         w->rollingResistance = 0;
-        w->brake = (MeReal)(10 * s->mass * s->size);
-        w->handbrake = (MeReal)(10 * s->mass * s->size);
+        w->brake = (MeReal)(10 * s->mass * metre * now.size);
+        w->handbrake = (MeReal)(10 * s->mass * metre * now.size);
         w->axle = i / 2;
         w->steering = i < REAR_LEFT ? (MeReal).6 : 0;
         w->drive = i < REAR_LEFT ? 0 : 1;

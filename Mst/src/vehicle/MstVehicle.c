@@ -97,6 +97,13 @@ static void append(MstVehicleID v) {
     *last = v;
 }
 
+static MeBool hasVehicle(const MstUniverse *u, McdModelID chassis) {
+    for (const MstVehicle *v = u->vehicles; v; v = v->next)
+        if (v->chassis == chassis && v->chassisSerial == McdModelGetSerial(chassis))
+            return METRUE;
+    return MEFALSE;
+}
+
 MstVehicleID MEAPI MstVehicleCreate(MstUniverseID u, McdModelID chassis, const MstVehicleParams *params) {
     const char *fault = !u || !MST_IS_KNOWN(u, MST_UNIVERSE)    ? "the universe is null, or has been destroyed"
                         : !chassis || !McdModelIsValid(chassis) ? "the chassis is null, or has been destroyed"
@@ -104,7 +111,8 @@ MstVehicleID MEAPI MstVehicleCreate(MstUniverseID u, McdModelID chassis, const M
                         : !McdModelGetBody(chassis)             ? "the chassis has no body"
                         : MdtBodyGetWorld(McdModelGetBody(chassis)) != u->world
                             ? "the chassis belongs to another universe"
-                            : mst_vehicleFault(params);
+                        : hasVehicle(u, chassis) ? "the chassis has a vehicle: destroy that first, or add wheels to it"
+                                                 : mst_vehicleFault(params);
     if (fault) {
         MeWarning(1, "MstVehicleCreate: %s", fault);
         return 0;
@@ -425,7 +433,7 @@ static void begin(MstVehicle *v, double h) {
     mst_vehicleLock(v, b, h);
     for (int i = 0; i < v->wheelCount; i++)
         if (v->wheel[i]->model && v->wheel[i]->data)
-            mst_wheelBodyDrive(v->wheel[i]);
+            mst_wheelBodyDrive(v, v->wheel[i]);
     v->hasChanged = MEFALSE;
 }
 

@@ -143,13 +143,18 @@ static void turn(const MstWheel *w) {
     MdtCarWheelSetHingeLimitedForceMotor(w->carWheel, velocity, (MeReal)fabs(net));
 }
 
-static void suspend(const MstWheel *w) {
+/* N m: of the steering's motor, twice what friction of the wheel's load has at its radius. */
+static double steeringTorque(const MstVehicle *v, const MstWheel *w) {
+    const double g = fabs(v->load[4]), weightless = 10 * (double)v->universe->sizes.lengthScale;
+    return 2 * (g > 0 ? g : weightless) * w->mass * (double)w->params.radius;
+}
+
+static void suspend(const MstVehicle *v, const MstWheel *w) {
     const double bump = (double)w->params.bump, droop = w->length - bump;
     MdtCarWheelSetSuspension(w->carWheel, (MeReal)w->stiffness, (MeReal)w->own.damping, 0, (MeReal)-droop, (MeReal)bump,
                              (MeReal)(bump - w->freeLength));
     if (w->params.steering != 0)
-        MdtCarWheelSetSteeringPositionMotor(w->carWheel, (MeReal)-w->steering, 20, 1,
-                                            (MeReal)(20 * w->mass * (double)w->params.radius));
+        MdtCarWheelSetSteeringPositionMotor(w->carWheel, (MeReal)-w->steering, 20, 1, (MeReal)steeringTorque(v, w));
 }
 
 static void read(MstWheel *w) {
@@ -159,10 +164,10 @@ static void read(MstWheel *w) {
     d->load = fmax(w->stiffness * (w->freeLength - d->length), 0);
 }
 
-void mst_wheelBodyDrive(const MstWheel *w) {
+void mst_wheelBodyDrive(const MstVehicle *v, const MstWheel *w) {
     if (!mst_wheelHasBody(w))
         return;
-    suspend(w);
+    suspend(v, w);
     turn(w);
 }
 

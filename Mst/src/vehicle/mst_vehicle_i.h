@@ -57,14 +57,14 @@ struct MstVehicle {
     double lock;                                 /* -1 .. 1, of the steering now */
     MeBool isAutomatic, isDriving;               /* isDriving: this step's throttle acts on the wheels */
     int gear;
-    double shiftLeft;          /* s, until the gear is in */
-    double engineSpeed;        /* rad/s */
-    double load[5];            /* mass, its centre and gravity for which the wheels' springs were computed */
+    double shiftLeft;                  /* s, until the gear is in */
+    double engineSpeed;                /* rad/s */
+    double load[5];                    /* mass, its centre and gravity for which the wheels' springs were computed */
     double clutch[MST_VEHICLE_WHEELS]; /* N m, of this step, of the locks of differentials */
-    double lean, leanRate;     /* rad, rad/s: that a motorcycle's balance keeps */
-    MdtKeaTransformation seen; /* the chassis' pose after the last step */
-    MeBool isActive;           /* in this step */
-    double step;               /* s, its length */
+    double lean, leanRate;             /* rad, rad/s: that a motorcycle's balance keeps */
+    MdtKeaTransformation seen;         /* the chassis' pose after the last step */
+    MeBool isActive;                   /* in this step */
+    double step;                       /* s, its length */
 };
 
 /* The chassis' body; null: it is gone. */
@@ -95,7 +95,7 @@ void mst_wheelMakeBody(const MstVehicle *v, MstWheel *w, MdtBodyID b, const MdtK
 void mst_wheelEndBody(MstWheel *w);
 MeBool mst_wheelHasBody(const MstWheel *w);
 void mst_wheelBodyFollow(const MstVehicle *v, const MstWheel *w, MdtBodyID b, const MdtKeaTransformation *chassis);
-void mst_wheelBodyDrive(const MstWheel *w);
+void mst_wheelBodyDrive(const MstVehicle *v, const MstWheel *w);
 void mst_wheelBodyShow(MstWheel *w);
 /* Transforms of wheels. */
 void mst_vehicleShow(MstVehicle *v, MdtBodyID b);

@@ -287,9 +287,10 @@ static void shareBar(const MstWheel *w) {
 
 /* Whether in the last step a brake has stopped a wheel on the ground that does not slide. */
 static MeBool isParked(const MstVehicle *v) {
+    static const double sliding = 1 - 1e-6; /* of its bound: the force of a tyre that slides, but for rounding */
     for (int i = 0; i < v->wheelCount; i++) {
         const MdtBclGroundWheel *d = v->wheel[i]->data;
-        if (d && d->isOnGround && d->isLocked && fabs(d->force[0]) < d->bound[0] && !v->wheel[i]->model)
+        if (d && d->isOnGround && d->isLocked && fabs(d->force[0]) < sliding * d->bound[0] && !v->wheel[i]->model)
             return METRUE;
     }
     return MEFALSE;
