@@ -38,7 +38,7 @@ static double difference(int a, int b) {
 
 /* rad/s: what the state, in MeReal, tells of equal speeds. */
 static double roundingOf(int i) {
-    return TOL(2e-7, 1e-12) * (1 + fabs((double)wheel(i).spin));
+    return TOL(2e-7, 3e-11) * (1 + fabs((double)wheel(i).spin));
 }
 
 /* One wheel on ice: the other one gets the torque that ice does not bear, if the differential is locked. */
