@@ -315,8 +315,8 @@ typedef struct MdtBclContext {
 typedef struct MdtBclType {
     const char *name;
     int maxRows;
-    /** Rows keep the Jacobians and bounds of `fill` through the step: it looks ahead. Else they are those of the mean of
-     *  the poses at the start and the end, which is found by passes. */
+    /** Rows keep the Jacobians and bounds of `fill` through the step: it looks ahead. Else they are those of the mean
+     *  of the poses at the start and the end, which is found by passes. */
     MeBool keepsRows;
     /** Sets every property to its default. */
     void (*reset)(MdtBclConstraint *c);

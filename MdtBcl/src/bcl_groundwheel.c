@@ -65,13 +65,13 @@ static void turn(const double u[3], double v[3]) {
     keaAddScaled(v, share, twice);
 }
 
-/* Moves a point that is fixed in a body: its centre moves by `way` and the body turns by that rotation. */
-static void carry(const double centre[3], const double way[3], const double u[3], double point[3]) {
+/* Moves a point that is fixed in a body: its centre is displaced, and the body turns by that rotation. */
+static void carry(const double centre[3], const double displacement[3], const double u[3], double point[3]) {
     double arm[3];
     keaSubtract(arm, point, centre);
     turn(u, arm);
     keaCopy(point, centre);
-    keaAddScaled(point, 1, way);
+    keaAddScaled(point, 1, displacement);
     keaAddScaled(point, 1, arm);
 }
 
@@ -79,17 +79,17 @@ static void carry(const double centre[3], const double way[3], const double u[3]
 static void advance(const MdtBclContext *x, double theta, Place *at) {
     const double h = x->parameters.stepsize;
     for (int k = 0; k < 2; k++) {
-        double way[3], u[3];
-        keaScale(way, h, x->velocity[k]->lin);
+        double displacement[3], u[3];
+        keaScale(displacement, h, x->velocity[k]->lin);
         keaScale(u, h / 2, x->velocity[k]->ang);
         if (x->kea[k]) {
-            keaAddScaled(way, theta * h * h, x->kea[k]->acceleration);
+            keaAddScaled(displacement, theta * h * h, x->kea[k]->acceleration);
             keaAddScaled(u, theta * h * h / 2, x->kea[k]->acceleration + 3);
         }
-        if (keaDot(way, way) + keaDot(u, u) == 0)
+        if (keaDot(displacement, displacement) + keaDot(u, u) == 0)
             continue;
-        carry(at->centre[k], way, u, k == 0 ? at->a : at->p);
-        keaAddScaled(at->centre[k], 1, way);
+        carry(at->centre[k], displacement, u, k == 0 ? at->a : at->p);
+        keaAddScaled(at->centre[k], 1, displacement);
         turn(u, k == 0 ? at->s : at->n);
         if (k == 0)
             turn(u, at->f);
@@ -302,8 +302,8 @@ static void tyreAxes(const Place *at, double x[3], double y[3]) {
     keaCross(y, at->n, x);
 }
 
-/* The tyre's velocities are those at the end of the step. A parked vehicle moves by these (θ = 1), along the chord of its
- * way, as does ground that moves: so it does not creep. */
+/* The tyre's velocities are those at the end of the step. A parked vehicle moves by these (θ = 1), along a chord, as
+ * does ground that moves: so it does not creep. */
 static void tyreRows(const MdtBclGroundWheel *g, const MdtBclContext *x, const Course *course, MdtKeaRow rows[2]) {
     const Place *at = g->isParked ? &course->mean : &course->end;
     double along[3], across[3];

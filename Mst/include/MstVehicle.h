@@ -52,8 +52,9 @@ typedef enum MstVehicleCast {
     kMstVehicleSphere = 1,   /**< A sphere of the wheel's radius, which rolls over edges. */
     kMstVehicleCylinder = 2, /**< A cylinder of the wheel's radius and width. */
     kMstVehicleBodies = 3 /**< Wheels are bodies: cylinders on MdtCarWheel joints, of the chassis' material, with a mass
-                               that follows from the inertia. Contacts make their friction, not the tyre's curves; there
-                               are no anti-roll bars, no lean, and no inertia of the engine. */
+                               that follows from the inertia. Contacts make their friction, not the tyre's curves, and
+                               damp the ride by themselves; there are no anti-roll bars, no lean, and no inertia of the
+                               engine, and locks of differentials act a step late. */
 } MstVehicleCast;
 
 /** What a vehicle is like. */
@@ -68,18 +69,19 @@ typedef struct MstVehicleParams {
     MeReal gear[MST_VEHICLE_GEARS]; /**< Turns of the engine for one of the final drive, > 0; falling. */
     MeReal reverse;                 /**< Likewise, > 0. */
     MeReal finalDrive;              /**< > 0, turns of it for one of the driven wheels. */
-    MeReal shiftUp, shiftDown;      /**< Turns per minute at which the automatic changes gears. */
+    MeReal shiftUp, shiftDown;      /**< Turns per minute at which the automatic changes gears: by the speed over the
+                                         ground, as if wheels did not slip. */
     MeReal shiftTime;               /**< s, >= 0, without torque. */
-    MeReal axleLock;   /**< 0 .. 1, differentials between wheels of an axle: 0 open; else the share of the axle's torque
-                                 that may pass to the slower wheel. It does not tie the speeds of both: in a curve each
-                                 turns at its own, with 1, too. */
-    MeReal centreLock; /**< Likewise, between axles. */
-    MeReal steeringRate;  /**< 1/s, > 0: how fast the steering follows, as a share of full lock; MEINFINITY: at once. */
-    MeReal drag;          /**< N s²/m², >= 0: force of the air over the square of the speed. */
-    MeReal leanLimit;     /**< rad, 0 .. 1.4: a motorcycle that leans up to that into curves; 0: it does not lean. A
-                                 torque on the chassis keeps its balance, so that it never falls: at least one
-                                 wheel must not steer. */
-    MeReal leanFrequency; /**< Hz, > 0, of that balance, with critical damping. */
+    MeReal axleLock;     /**< 0 .. 1, differentials between the driven wheels of an axle. 0: open. 1: locked, the wheels
+                            turn at one speed. Between: the share of half of the axle's torque that goes over to the
+                            slower wheel as long as their speeds differ. */
+    MeReal centreLock;   /**< Likewise, between the mean speeds of axles. */
+    MeReal steeringRate; /**< 1/s, > 0: how fast the steering follows, as a share of full lock; MEINFINITY: at once. */
+    MeReal drag;         /**< N s²/m², >= 0: force of the air over the square of the speed. */
+    MeReal leanLimit;    /**< rad, 0 .. 1.4: a motorcycle that leans up to that into curves, and a twentieth further
+                                 from side to side; 0: it does not lean. A torque on the chassis keeps its balance, so
+                                 that it never falls: at least one wheel must not steer. */
+    MeReal leanFrequency;                     /**< Hz, > 0, of that balance, with critical damping. */
     McdLineSegIntersectEnableCallback filter; /**< Only models for which it returns non-zero are ground; null: all that
                                                    would collide with the chassis. */
     void *filterData;
@@ -115,7 +117,7 @@ typedef struct MstWheelState {
     MeReal speed;               /**< m/s, over ground, forwards. */
     MeReal compression;         /**< m, from its place while the vehicle stands level; positive: up. */
     MeReal steering;            /**< rad */
-    MeReal spin, angle;         /**< rad/s, rad: positive forwards. */
+    MeReal spin, angle;         /**< rad/s, rad: positive forwards; the angle within -pi .. pi. */
 } MstWheelState;
 
 /** Sets parameters of a passenger car for a universe: 100 kW, five gears, up against gravity, forward x, or y where x
@@ -125,7 +127,7 @@ MEPUBLIC void MEAPI MstVehicleSetDefaults(MstVehicleParams *params, MstUniverseI
  *  not driven, braked, at the origin. */
 MEPUBLIC void MEAPI MstWheelSetDefaults(MstWheelParams *params, MstUniverseID u);
 /** Creates a vehicle, without wheels, of a chassis: a model of the universe with a body. Null, with a warning, for bad
- *  parameters. */
+ *  parameters, and for a chassis that has a vehicle. */
 MEPUBLIC MstVehicleID MEAPI MstVehicleCreate(MstUniverseID u, McdModelID chassis, const MstVehicleParams *params);
 /** Destroys a vehicle, not its chassis. Null does nothing. */
 MEPUBLIC void MEAPI MstVehicleDestroy(MstVehicleID v);

@@ -321,7 +321,7 @@ TEST(a_motorcycle_leans_into_curves) {
 /* From side to side, ahead and back: it leans no more than a twentieth beyond its limit. */
 TEST(a_motorcycle_leans_up_to_its_limit) {
     for (int i = 0; i < SETUPS; i++) {
-        double most = 0;
+        double max = 0;
         begin(i);
         putMotorcycle();
         params.leanLimit = (MeReal).8;
@@ -333,9 +333,9 @@ TEST(a_motorcycle_leans_up_to_its_limit) {
             const double t = k * now.h;
             drive(t < 4 ? -.5 : t < 9 ? .5 : -.5, t < 2 ? 0 : sin(t), 0, 0);
             run(now.h);
-            most = fmax(most, fabs(asin(fmin(1, fabs((double)MdtBodyGetTransformPtr(body)[1][2])))));
+            max = fmax(max, fabs(asin(fmin(1, fabs((double)MdtBodyGetTransformPtr(body)[1][2])))));
         }
-        ck_assert_msg(most > .4 && most < .8 * 1.05, "%d: leans by %g", i, most);
+        ck_assert_msg(max > .4 && max < .8 * 1.05, "%d: leans by %g", i, max);
     }
 }
 

@@ -1,8 +1,8 @@
 /* Locks of differentials: speeds that they keep equal, torques that they pass, for cars of any size and step. */
 #include "vehicle.h"
 
-/* A car on a plane whose driven wheels' torque together is `torque` times load and radius of one, in the first gear. The
- * wheels of `ice` have a tenth of the friction. */
+/* A car on a plane whose driven wheels' torque together is `torque` times load and radius of one, in the first gear.
+ * The wheels of `ice` have a tenth of the friction. */
 static void begin(int i, double torque, unsigned int ice, MeBool isFourWheel) {
     setCar(&setups[i]);
     universe_addFloor();

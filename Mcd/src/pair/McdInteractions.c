@@ -573,6 +573,11 @@ MeBool mcd_lineSegIntersect(McdModelID cm, MeReal *inOrig, MeReal *inDest, McdLi
     return isHit;
 }
 
+MeBool mcd_isHitNearer(const McdLineSegIntersectResult *a, const McdLineSegIntersectResult *b) {
+    return a->distance != b->distance ? a->distance < b->distance
+                                      : mcd_modelPrecedes(mcd_record(a->model), mcd_record(b->model));
+}
+
 unsigned int MEAPI McdLineSegIntersect(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
                                        McdLineSegIntersectResult *outOverlap) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdLineSegIntersect");

@@ -8,6 +8,8 @@
  * models that call no function of the program; these may be tested by several threads. */
 MeBool mcd_intersect(McdModelPair *p, McdIntersectResult *result);
 MeBool mcd_lineSegIntersect(McdModelID cm, MeReal *inOrig, MeReal *inDest, McdLineSegIntersectResult *outOverlap);
+/* Whether hit a comes before hit b: by distance, then by the models' order. */
+MeBool mcd_isHitNearer(const McdLineSegIntersectResult *a, const McdLineSegIntersectResult *b);
 
 /* Whether two types, or a pair's models, interact by the library's functions, not the program's. */
 MeBool mcd_typesAreBuiltIn(McdFramework *frame, int type1, int type2);

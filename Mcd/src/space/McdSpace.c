@@ -1274,11 +1274,6 @@ typedef struct Segment {
     const char *function;
 } Segment;
 
-MeBool mcd_isHitNearer(const McdLineSegIntersectResult *a, const McdLineSegIntersectResult *b) {
-    return a->distance != b->distance ? a->distance < b->distance
-                                      : mcd_modelPrecedes(mcd_record(a->model), mcd_record(b->model));
-}
-
 static void addHit(Segment *q, const McdLineSegIntersectResult *hit) {
     if (q->count == q->max && !mcd_isHitNearer(hit, &q->list[q->max - 1]))
         return;

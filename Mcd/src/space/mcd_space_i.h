@@ -195,8 +195,6 @@ MeBool mcd_passesFilter(const McdSpace *s, McdModelID cm, McdLineSegIntersectEna
 /* McdSpaceGetLineSegFirstEnabledIntersection; warnings name `function`. */
 int mcd_segmentFirstHit(McdSpaceID s, MeReal *from, MeReal *to, McdLineSegIntersectEnableCallback filter,
                         void *filterData, McdLineSegIntersectResult *result, const char *function);
-/* Whether hit a comes before hit b: by distance, then by the models' order. */
-MeBool mcd_isHitNearer(const McdLineSegIntersectResult *a, const McdLineSegIntersectResult *b);
 void mcd_treeBox(const double min[3], const double max[3], McdTreeBox *box); /* rounds the box outward to float */
 
 #endif

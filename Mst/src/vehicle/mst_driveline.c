@@ -1,8 +1,8 @@
 /* Locks of differentials: clutches between the driven wheels of an axle, and between axles, which pass torque to what
  * turns slower.
  *
- * Their torques τ are implicit. With F the force of a wheel's tyre along, β the torque of its brake, B the torque that a
- * clutch takes from a wheel over τ, at the end of the step
+ * Their torques τ are implicit. With F the force of a wheel's tyre along, β the torque of its brake, B the torque that
+ * a clutch takes from a wheel over τ, at the end of the step
  *     ω⁺ = ω + h/I (T - β - Σ B τ - R F)
  *     v⁺ = v + Δv + h Σ A (F - F_before)      A: mobility of chassis and ground; Δv: change in the last step
  * F, β and τ fulfil, each within its bounds,
