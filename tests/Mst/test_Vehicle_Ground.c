@@ -340,6 +340,29 @@ TEST(it_does_not_feel_seams) {
     }
 }
 
+/* More models below the car than its rays gather: small tiles, or a few large ones. */
+TEST(it_stands_on_any_number_of_tiles) {
+    static MeMatrix4 tms[33][33];
+    for (int i = 0; i < SETUPS; i++)
+        for (int side = 3; side <= 33; side += 10) {
+            setCar(&setups[i]);
+            const double size = 5 * now.size / side;
+            for (int k = 0; k < side * side; k++) {
+                MeMatrix4 *tm = &tms[k / side][k % side];
+                MeMatrix4TMMakeIdentity(*tm);
+                MeMatrix4TMSetPosition(*tm, (MeReal)((k / side - side / 2) * size),
+                                       (MeReal)((k % side - side / 2) * size), (MeReal)-.5);
+                MstFixedModelCreate(u, McdBoxCreate(u->frame, (MeReal)size, (MeReal)size, 1), *tm);
+            }
+            putCar(0);
+            drive(0, 0, 0, 1);
+            run(1);
+            assert_near(place(2) / now.size, .52, 1e-4);
+            for (int k = 0; k < WHEELS; k++)
+                ck_assert(wheel(k).ground);
+        }
+}
+
 static double heightOf(double x, double y) {
     return .25 * sin(x / 2.5) * cos(y / 3) - .25;
 }
