@@ -166,7 +166,8 @@ struct _McdContact {
     McdGeometryInstanceID instance1; /**< The part of the first model: its own instance, or a child of an aggregate. */
     McdGeometryInstanceID instance2; /**< The part of the second model. */
     /** The element of the first model's part: for a triangle list the triangle's McdUserTriangle.triangleData, for a
-     *  height field the triangle's number as tag (McdRGHeightField.h), for other geometries a null ptr. */
+     *  mesh or a height field the triangle's number as tag (McdMesh.h, McdRGHeightField.h), for other geometries a
+     *  null ptr. */
     McdElementData element1;
     McdElementData element2; /**< The element of the second model's part. */
     int dims; /**< The dimension of the region in which the parts touch: 0 a point, 1 a line, 2 an area. */
