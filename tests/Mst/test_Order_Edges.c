@@ -204,6 +204,28 @@ LOOP_TEST(a_disc_may_roll_by_half_a_rad_in_a_step, 0, 2) {
         }
 }
 
+/* Dropped at any tilt it lands, tumbles and rolls: no step gives it energy, but for what lifts it out of overlaps. */
+LOOP_TEST(a_disc_that_lands_gains_no_energy, 0, 2) {
+    solver = solvers[_i];
+    for (int tilt = 0; tilt < 90; tilt += 3)
+        for (int k = 0; k < 2; k++) {
+            begin(k == 0 ? 1 : .3);
+            body =
+                McdModelGetBody(MstModelAndBodyCreate(u, McdCylinderCreate(u->frame, (MeReal).5, (MeReal).05), 1000));
+            place(0, .9 + .15 * (tilt % 6), tilt * pi / 180);
+            MdtBodySetAngularVelocity(body, 0, 0, (MeReal).1);
+            const double weight = MdtBodyGetMass(body) * gravity;
+            double before = energy(), largest = 0;
+            for (int i = 0; i < 240; i++) {
+                MstUniverseStep(u, (MeReal)step);
+                largest = fmax(largest, energy() - before);
+                before = energy();
+            }
+            ck_assert_msg(largest < (_i ? 1e-3 : 4e-3) * weight, "tilt %d: gains %g of its weight times 1 m in a step",
+                          tilt, largest / weight);
+        }
+}
+
 /* ---- sub-steps ---- */
 
 /* Its contact stays below it in all parts of a step. */

@@ -429,6 +429,8 @@ static const double kea_restingDepth = 1e-4;
 static const double kea_rollingGain = 1e-3;
 /* Fraction of the kinetic energy that the passes of a step may add by rounding and by their residual. */
 static const double kea_energyRoom = 1e-5;
+/* The same of a step in which contacts follow their bodies. */
+static const double kea_followedRoom = 1e-3;
 /* Relative to the smaller body's size: if the mean velocities press a contact deeper than the end's velocities do by
  * more than this, its bodies are moved by the latter. A tenth of kea_restingDepth, so that resting bodies are moved by
  * the mean, and pressed ones come no deeper than resting ones. */

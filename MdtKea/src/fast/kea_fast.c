@@ -481,13 +481,13 @@ static double maxOverNodes(const KeaRegions *r) {
 }
 
 /* Passes again with the lever arms of the motion that the last passes have found, until they do not change, and with
- * the inertia at the end, by which the angular velocity there follows from the momentum. */
-static void followContacts(Step *p) {
+ * the inertia at the end, by which the angular velocity there follows from the momentum. False: they did not settle. */
+static MeBool settleContacts(Step *p) {
     for (int round = 0; round < KEA_ARM_ROUNDS; round++) {
         kea_visitNodes(&p->regions, renewArmsOf, p);
-        if (maxOverNodes(&p->regions) <= p->s->parameters.accuracy)
-            return;
         setEndMomenta(p);
+        if (maxOverNodes(&p->regions) <= p->s->parameters.accuracy)
+            return METRUE;
         kea_visitRegions(&p->regions, turnInertiaOf, p);
         kea_visitNodes(&p->regions, prepareAgain, p);
         setMotions(p);
@@ -495,6 +495,7 @@ static void followContacts(Step *p) {
         kea_visitRegions(&p->regions, saveMotions, p);
         findVelocities(p);
     }
+    return MEFALSE;
 }
 
 /* ---- energy guard ---- */
@@ -519,6 +520,32 @@ static void sumEnergy(void *context, KeaNode *node) {
     }
 }
 
+/* Computes the change of a region's kinetic energy in the step beyond the work of the loads along the mean motion, J,
+ * and its kinetic energy with the loads only. */
+static void sumEnergyGained(void *context, KeaNode *node) {
+    const Step *p = context;
+    const MdtKeaSystem *s = p->s;
+    node->sum[0] = node->sum[1] = 0;
+    for (int i = node->firstPlace; i < node->firstPlace + node->numPlaces; i++) {
+        const int body = p->regions.body[i];
+        const MdtKeaBody *b = s->bodies[body];
+        const MdtKeaVelocity *start = &s->velocity[body];
+        const KeaEnd *end = &s->work->end[body];
+        const double half = 0.5 * s->parameters.stepsize, mass = 1 / b->invMass;
+        double w[3], twist[3], path[3];
+        keaApply(w, (const double(*)[3])s->invMass[body].inertia, end->angularMomentum);
+        for (int k = 0; k < 3; k++) {
+            path[k] = half * (start->lin[k] + end->velocity[k]);
+            twist[k] = half * (start->ang[k] + w[k]);
+        }
+        node->sum[0] += 0.5 * (mass * keaDot(end->velocity, end->velocity) + keaDot(w, end->angularMomentum) -
+                               mass * keaDot(start->lin, start->lin) - keaDot(start->ang, b->angularMomentum)) -
+                        keaDot(b->force, path) - keaDot(b->torque, twist);
+        node->sum[1] += 0.5 * (mass * keaDot(s->predicted[body].lin, s->predicted[body].lin) +
+                               keaDot(s->predicted[body].ang, s->work->body[body].freeMomentum));
+    }
+}
+
 static void sumWork(void *context, KeaNode *node) {
     const Step *p = context;
     const KeaGathering from = gathering(p);
@@ -535,11 +562,15 @@ static double workOfDrives(Step *p) {
     return work;
 }
 
-/* Whether the answer has more energy than the drives explain. */
-static MeBool isEnergyGained(Step *p) {
-    kea_visitRegions(&p->regions, sumEnergy, p);
+/* Whether the answer has more energy than the drives explain, as `sum` has it. */
+static MeBool isMoreThanDriven(Step *p, void (*sum)(void *, KeaNode *), double room) {
+    kea_visitRegions(&p->regions, sum, p);
     const double gained = sumOverRegions(&p->regions, 0), all = sumOverRegions(&p->regions, 1);
-    return gained > kea_energyRoom * all && gained - workOfDrives(p) > kea_energyRoom * all;
+    return gained > room * all && gained - workOfDrives(p) > room * all;
+}
+
+static MeBool isEnergyGained(Step *p) {
+    return isMoreThanDriven(p, sumEnergy, kea_energyRoom);
 }
 
 /* Solves again from zero impulses, point by point and without extrapolation, so that each visit lowers the
@@ -614,6 +645,29 @@ static void guardEnergy(Step *p) {
         return;
     limitImpulses(p);
     p->s->report.capped = METRUE;
+}
+
+/* ---- contacts that are followed ---- */
+
+static void restoreInertiaOf(void *context, KeaNode *node) {
+    const Step *p = context;
+    for (int place = node->firstPlace; place < node->firstPlace + node->numPlaces; place++)
+        kea_orientInertia(p->s, p->regions.body[place], p->s->bodies[p->regions.body[place]]->quaternion);
+}
+
+/* Lets contacts move with their bodies. Where they do not settle, or gain energy, they move as was predicted. False: no
+ * memory. */
+static MeBool followContacts(Step *p) {
+    if (settleContacts(p) && !isMoreThanDriven(p, sumEnergyGained, kea_followedRoom))
+        return METRUE;
+    kea_visitRegions(&p->regions, restoreInertiaOf, p);
+    setMotions(p);
+    if (!allocateGroups(p))
+        return MEFALSE;
+    applyImpulses(p);
+    kea_visitRegions(&p->regions, saveMotions, p);
+    findVelocities(p);
+    return METRUE;
 }
 
 /* ---- end poses ---- */
@@ -876,6 +930,13 @@ static void moveAllFreely(MdtKeaSystem *s) {
     kea_moveFreeBodies(s);
 }
 
+/* There is no memory. */
+static void giveUp(MdtKeaSystem *s) {
+    s->report.capped = METRUE;
+    clearForces(s);
+    moveAllFreely(s);
+}
+
 void kea_fastSolve(MdtKeaSystem *s) {
     KeaNode nodes[KEA_MAX_NODES]; /* not initialized: 24 kB, of which most partitions use two nodes */
     Step p = {.s = s, .kernel = kernelOfMachine(), .regions = {.s = s, .team = s->team, .node = nodes}};
@@ -886,9 +947,7 @@ void kea_fastSolve(MdtKeaSystem *s) {
         return;
     }
     if (!beginStep(&p)) {
-        s->report.capped = METRUE;
-        clearForces(s);
-        moveAllFreely(s);
+        giveUp(s);
         return;
     }
     findSpeed(&p);
@@ -896,8 +955,10 @@ void kea_fastSolve(MdtKeaSystem *s) {
     applyImpulses(&p);
     kea_visitRegions(&p.regions, saveMotions, &p);
     findVelocities(&p);
-    if (s->parameters.followsContacts)
-        followContacts(&p);
+    if (s->parameters.followsContacts && !followContacts(&p)) {
+        giveUp(s);
+        return;
+    }
     setEndMomenta(&p);
     guardEnergy(&p);
     kea_jointsRemoveStiffness(s, &p.joints);
