@@ -25,13 +25,14 @@ static double startEnergy(const MdtKeaSystem *s, int b) {
            (keaDot(body->velocity, body->velocity) / body->invMass + keaDot(body->angularMomentum, s->velocity[b].ang));
 }
 
-/* J: the work of the loads on body b in the step, with its mean velocity. */
+/* J: the work of the loads on body b in the step, along its displacement: bodies without joints do not move by u. */
 static double workOfLoads(const MdtKeaSystem *s, int b) {
     const double *u = s->work->body[b].u;
-    double dv[3], dL[3];
+    double dv[3], dL[3], move[3];
+    keaSubtract(move, s->work->end[b].position, s->bodies[b]->position);
     keaSubtract(dv, s->predicted[b].lin, s->bodies[b]->velocity);
     keaSubtract(dL, s->work->body[b].freeMomentum, s->bodies[b]->angularMomentum);
-    return keaDot(dv, u) / s->bodies[b]->invMass + keaDot(dL, u + 3);
+    return keaDot(dv, move) / (s->parameters.stepsize * s->bodies[b]->invMass) + keaDot(dL, u + 3);
 }
 
 /* J: the work of springs, motors, moving surfaces and moving attachments in the step. */
