@@ -182,6 +182,7 @@ typedef struct MdtKeaRow {
     double radius[2];   /**< m, normal rows: radius of either body's surface if it is round, else 0 */
     MeBool bounces;     /**< set by Kea: an impact in this step has restitution */
     double rebound;     /**< m/s, > 0: its separating velocity at the end of the step */
+    double hop;         /**< set by Kea: share of the rate at the start that is subtracted from the target */
     MeBool isForced;    /**< set by Kea: a friction row that slides in a known direction */
     double forced;      /**< component of this direction: the force is `forced` times the bound */
     double stiffness;   /**< N/m of a spring, >= 0 */

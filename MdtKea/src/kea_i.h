@@ -340,7 +340,15 @@ MeBool kea_mayTouch(const MdtKeaSystem *s, const MdtKeaBodyIndexPair body, const
 double kea_reboundOfImpact(double restitution, double threshold, double speed, double fall, double minSpeed);
 double kea_reboundInStep(const MdtKeaSystem *s, const KeaApproach *a, double gap, double left, double restitution,
                          double threshold);
-/* Sets `bounces` and `rebound` of all rows. */
+/* The rate that a contact has at least at the end of a step: fixed - share times that of its start. */
+typedef struct KeaHop {
+    double fixed, share; /* m/s; share: 0 or 1 */
+} KeaHop;
+
+/* Of a contact with restitution 1 that does not rebound in the step; min: m/s, the bound of what does not hop. */
+KeaHop kea_hopInStep(const MdtKeaSystem *s, const MdtKeaBodyIndexPair body, const KeaApproach *a, double depth,
+                     double threshold, double min);
+/* Sets `bounces`, `rebound` and `hop` of all rows, and the targets of those that hop. */
 void kea_setRebounds(MdtKeaSystem *s);
 
 /* ---- kea_rates.c ---- */

@@ -10,6 +10,11 @@
  *
  * A contact that is found late, at the depth d, approaches faster than the surfaces met, by the loads' acceleration a:
  * u² = rate² - 2 d a. At this depth it separates with v, v² = (e u)² + 2 d a, so that it leaves the surface with e u.
+ *
+ * A contact without loss, e = 1, that is too slow to be reflected (kea_reflect.c) and falls back within the step would
+ * hop several times in it. It hovers instead: with the rate v at the start it has -v at the end, so that the mean rate
+ * is 0, and with it the work of the impulse. One that does not come down in the step is free: its bound is the rate
+ * with which it would touch at the end. With e < 1 hops soon end, and what hops is stopped.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -89,15 +94,60 @@ double kea_reboundInStep(const MdtKeaSystem *s, const KeaApproach *a, double gap
     return sqrt(restitution * restitution * square + left * late);
 }
 
+/* ---- hops ---- */
+
+/* m/s: the largest change of a body's velocity by its loads in the step. */
+static double loadSpeedOf(const MdtKeaSystem *s, const MdtKeaBodyIndexPair body) {
+    double speed = 0;
+    for (int k = 0; k < 2; k++) {
+        double change[3];
+        if (body[k] < 0)
+            continue;
+        keaSubtract(change, s->predicted[body[k]].lin, s->velocity[body[k]].lin);
+        speed = keaMax(speed, keaLength(change));
+    }
+    return speed;
+}
+
+/* Whether a contact is calm: it touches, and moves more slowly than what chatters. */
+static MeBool isCalm(const MdtKeaSystem *s, const MdtKeaBodyIndexPair body, double rate, double gap) {
+    return fabs(rate) <= kea_separatingSpeed * loadSpeedOf(s, body) &&
+           gap < kea_restingDepth * kea_smallerExtent(s, body);
+}
+
+KeaHop kea_hopInStep(const MdtKeaSystem *s, const MdtKeaBodyIndexPair body, const KeaApproach *a, double depth,
+                     double threshold, double min) {
+    const double h = s->parameters.stepsize, load = a->predicted - a->rate, gap = keaMax(-depth, 0);
+    const KeaHop none = {min, 0}, free = {-2 * gap / h, 1}, hop = {0, 1};
+    if (!(depth < kea_touchingGap * kea_smallerExtent(s, body)) || isCalm(s, body, a->rate, gap))
+        return none;
+    if (gap + h * (a->rate + 0.5 * load) >= 0)
+        return free.fixed - a->rate < min ? free : none;
+    const double speed2 = a->rate * a->rate - 2 * gap * load / h; /* m²/s²: with which it meets */
+    return a->rate >= 0 || speed2 > threshold * threshold ? hop : none;
+}
+
+/* Sets the target of a contact that hops. */
+static void setHop(const MdtKeaSystem *s, MdtKeaRow *row) {
+    const KeaApproach a = kea_approachOfRow(s, row);
+    const KeaHop hop = kea_hopInStep(s, row->body, &a, -row->error, row->threshold, row->target - row->drift);
+    row->target = row->drift + hop.fixed;
+    row->hop = hop.share;
+}
+
+/* ---- all rows ---- */
+
 void kea_setRebounds(MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++) {
         MdtKeaRow *row = &s->rows[i];
-        row->rebound = 0;
+        row->rebound = row->hop = 0;
         if (row->restitution > 0) {
             const KeaApproach a = kea_approachOfRow(s, row);
             row->rebound =
                 kea_reboundInStep(s, &a, row->error, 1 - s->parameters.gamma, row->restitution, row->threshold);
         }
         row->bounces = row->rebound > 0;
+        if (row->restitution == 1 && row->contact == i && !row->bounces && !s->parameters.timed)
+            setHop(s, row);
     }
 }

@@ -126,12 +126,14 @@ static double gapRate(const MdtKeaSystem *s, int i, MeBool byEnd) {
     return rate;
 }
 
-/* Whether a contact overlaps deeper after the displacement than after that by v⁺, by more than kea_pressedDepth. */
+/* Whether a contact overlaps deeper after the displacement than after that by v⁺, by more than kea_pressedDepth. With
+ * restitution 1 only if it comes deeper than it is: bodies that v⁺ moves lose up to m (g h)² / 2. */
 static MeBool isPressed(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
     const double h = s->parameters.stepsize, atEnd = row->error + h * gapRate(s, i, METRUE);
+    const double free = row->restitution == 1 ? keaMin(row->error, 0) : 0;
     return row->error + h * gapRate(s, i, MEFALSE) <
-           keaMin(atEnd, 0) - kea_pressedDepth * kea_smallerExtent(s, row->body);
+           keaMin(atEnd, free) - kea_pressedDepth * kea_smallerExtent(s, row->body);
 }
 
 /* Moves bodies whose velocities change by no more than the solver resolves by v⁺: they are at rest, and stay where
@@ -399,6 +401,8 @@ static void velocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->E = theta * row->softness;
     const double target = s->parameters.timed && row->contact == i ? timedTarget(s, row, p) : row->target;
     p->r = theta * (target - kea_endRate(s, i));
+    if (row->hop > 0) /* the mean rate of what hops does no work */
+        p->r += theta * (s->work->movingRate[i] - row->hop * (rateAt(row, s->velocity) - row->drift));
     p->N = (row->contact >= 0 ? kea_proximalContact[level < KEA_PROXIMAL_LEVELS ? level : KEA_PROXIMAL_LEVELS - 1]
                               : kea_proximalLimit) *
            p->Aii;

@@ -54,7 +54,7 @@ static void setVelocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
         p->r = row->target, p->E = row->softness;
     if (row->contact >= 0 ? s->work->problem.row[row->contact].p == 0 : isStop && p->p == 0)
         p->isInactive = METRUE;
-    p->r -= kea_endRate(s, i);
+    p->r = row->hop > 0 ? 0 : p->r - kea_endRate(s, i); /* what hops has its rate already */
 }
 
 /* Sets the metric of body i: mass, and inertia at the end pose. */

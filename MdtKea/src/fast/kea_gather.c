@@ -164,6 +164,11 @@ static void fillRebounds(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaGrou
         const KeaApproach a = approachOf(s, m, &m->point[k]);
         g->rebound[k][lane] =
             (float)kea_reboundInStep(s, &a, -m->point[k].depth, left, m->surface.restitution, m->surface.threshold);
+        if (soft || m->surface.restitution < 1 || g->rebound[k][lane] > 0)
+            continue;
+        const KeaHop hop =
+            kea_hopInStep(s, m->body, &a, m->point[k].depth, m->surface.threshold, (double)g->bias[k][lane]);
+        g->bias[k][lane] = (float)(hop.fixed - hop.share * a.rate);
     }
 }
 
