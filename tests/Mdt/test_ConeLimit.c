@@ -291,7 +291,7 @@ TEST(a_whip_of_narrow_cones_holds) {
         int factorizations, max;
         const double gap = swingWhip(cases[k][0], cases[k][1], cases[k][2], &factorizations, &max);
         assert_below(gap, 1e-6);
-        assert_below(factorizations, 60 * 150);
-        assert_below(max, 900);
+        assert_below(factorizations, 60 * 60); /* 26 to 53 a step; without tangent passes 64 to 93 */
+        assert_below(max, 400);
     }
 }

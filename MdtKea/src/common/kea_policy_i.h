@@ -83,6 +83,14 @@ enum {
      * At a change point, and with redundant joints, more do not converge either. x2 and /2 fail scenes_linkage:
      * momentum_chooses_the_branch_at_a_change_point. */
     KEA_TANGENT_PASSES = 6,
+    /* Passes of joints without loops and friction after which slow ones, which leave more than half of the residual,
+     * give way to tangent ones: ordinary steps take 3 to 6. Whips of 8 links with narrow cones and 10 t at their end
+     * take 34 factorizations a step with 2 and with 4, without tangent passes 54 (Mdt_ConeLimit). */
+    KEA_ORDINARY_PASSES = 4,
+    /* Passes of such joints that do not halve the residual, after which the step is divided. The whips take 34, 34, 36,
+     * 37, 48 factorizations a step with 6, 8, 12, 16 and without. 8 fails Mdt_Degenerate:
+     * a_cone_limit_that_had_no_plane_yet. */
+    KEA_STUCK_PASSES = 12,
     /* Number of passes by sweeps among which the remaining work is divided: several, since each pass linearizes the
      * rows anew where the bodies have moved to (test_Mst_WorkBudget). */
     KEA_SWEPT_PASSES = 8,

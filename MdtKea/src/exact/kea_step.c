@@ -26,10 +26,13 @@ typedef struct Passes {
     double before, motion; /* in the previous pass: the worst residual; the larger one of positions and momenta */
     int pass, last;        /* index of this pass; index after which they end */
     int worse;             /* number of passes in which `motion` has grown */
-    MeBool isRefined;      /* the iterate had converged before this pass, which refines it */
-    MeBool movesContacts;  /* contacts follow the bodies: until they stay, at most KEA_CONTACT_PASSES times */
-    MeBool isLimited;      /* the work budget is used up */
-    MeBool mayBeTangent; /* symmetric passes have followed the tangent ones: the saved tangent iterate may be better */
+    int slow, patience;    /* passes in a row that left more than half of the residual; how many begin tangent ones */
+    double mark;           /* the worst residual of the pass `marked`, the last one that left less than half of it */
+    int marked;
+    MeBool isRefined;     /* the iterate had converged before this pass, which refines it */
+    MeBool movesContacts; /* contacts follow the bodies: until they stay, at most KEA_CONTACT_PASSES times */
+    MeBool isLimited;     /* the work budget is used up */
+    MeBool mayBeTangent;  /* symmetric passes have followed the tangent ones: the saved tangent iterate may be better */
 } Passes;
 
 /* Result of a pass. */
@@ -224,6 +227,8 @@ static Passes beginPasses(MdtKeaSystem *s) {
                     .tangent = HUGE_VAL,
                     .before = HUGE_VAL,
                     .motion = HUGE_VAL,
+                    .mark = HUGE_VAL,
+                    .patience = 1,
                     .movesContacts = METRUE,
                     .last = KEA_MAX_COUPLED_PASSES + KEA_FROZEN_PASSES};
 }
@@ -235,6 +240,10 @@ static void measurePass(MdtKeaSystem *s, Passes *p) {
     p->speed = keaMax(p->speed, kea_rowSpeedScale(s));
     p->e = residualsOfPass(s, p->speed);
     p->movesContacts = p->movesContacts && p->e.worst < p->before;
+    if (p->e.worst < 0.5 * p->mark) {
+        p->mark = p->e.worst;
+        p->marked = p->pass;
+    }
     if (p->e.worst < p->best.worst || p->pass == 0) {
         p->best = p->e;
         saveIterate(s, s->work->bestU, s->work->bestP);
@@ -245,13 +254,37 @@ static void measurePass(MdtKeaSystem *s, Passes *p) {
     }
 }
 
+static MeBool areChains(const MdtKeaSystem *s) {
+    return s->work->hasJoints && !s->work->hasLoops && !s->work->problem.hasFriction;
+}
+
+/* Whether symmetric passes of chains converge linearly, since they leave out a part of the geometric stiffness that is
+ * not small: light links whose axes are pressed against narrow cones. */
+static MeBool convergesSlowly(const MdtKeaSystem *s, Passes *p) {
+    if (!areChains(s) || p->pass < KEA_ORDINARY_PASSES)
+        return MEFALSE;
+    p->slow = p->e.worst > 0.5 * p->before && p->e.worst < p->before ? p->slow + 1 : 0;
+    return p->slow >= p->patience;
+}
+
+/* Begins tangent passes; if they are given up, twice as many slow passes begin them again. */
+static void beginTangent(KeaProblem *q, Passes *p) {
+    q->hasTangent = METRUE;
+    p->motion = HUGE_VAL;
+    p->worse = p->slow = 0;
+    p->patience *= 2;
+}
+
 /* Chooses between the tangent and the symmetric problem. If joints form loops, passes begin with the tangent problem,
  * which follows a linkage through its change point. Its matrix is singular at the change point itself and for redundant
- * joints; the symmetric problem is regular in both cases, and takes over after KEA_TANGENT_PASSES. Without loops, the
+ * joints; the symmetric problem is regular in both cases, and takes over after KEA_TANGENT_PASSES. Without loops and
+ * friction, passes begin with the symmetric problem, and the tangent one takes over if they converge slowly. There the
  * tangent problem is given up once the residual of position or momentum has grown twice: it can diverge, since it does
  * not contain the derivative of an angular row's direction. */
 static void chooseProblem(MdtKeaSystem *s, Passes *p) {
     KeaProblem *q = &s->work->problem;
+    if (!q->hasTangent && convergesSlowly(s, p))
+        beginTangent(q, p);
     if (!q->hasTangent)
         return;
     if (!s->work->hasLoops) {
@@ -283,7 +316,8 @@ static MeBool isLastPass(MdtKeaSystem *s, Passes *p) {
     const MeBool isCut = p->isLimited && (s->parameters.mayDecline || kea_isExactEnough(&p->e, kea_sweptMargin) ||
                                           !kea_problemMaySweep(q));
     const MeBool hasRunAway = isnan(p->e.worst) || (isinf(p->e.worst) && isfinite(p->best.worst) && !q->hasFriction);
-    return isEnough || isCut || hasRunAway || p->pass == p->last;
+    const MeBool isStuck = areChains(s) && p->pass - p->marked > KEA_STUCK_PASSES; /* the step is too long */
+    return isEnough || isCut || hasRunAway || isStuck || p->pass == p->last;
 }
 
 /* Solves the inner problem and applies its answer. If passes converge fast, the factors of the last one are tried
