@@ -80,20 +80,27 @@ MeBool mcd_shapesOf(McdGeometryInstanceID ins1, McdGeometryInstanceID ins2, doub
     return mcd_shapeOf(ins1, origin, a) && mcd_shapeOf(ins2, origin, b);
 }
 
-/* For checks: whether the shape is the one that the model's geometry and transform make now. */
-static MeBool isShapeCurrent(McdModelRecord *m, const double origin[3], const McdShape *shape) {
-    McdShape now;
-    return shapeOfModelAt(m->instance.geometry, m, mcd_const(m->instance.tm), origin, &now) &&
-           memcmp(&now, shape, offsetof(McdShape, corner)) == 0;
+/* For checks: whether the pose is the one that was compared. A callback of the program may since have changed the
+ * transform, or the sizes: those count in the next round, so that all pairs of a round see the same shape. */
+static MeBool isPoseAsCompared(const McdModelRecord *m) {
+    double axis[3][3];
+    MeMatrix4 tm = {{0}};
+    for (int i = 0; i < 3; i++)
+        memcpy(tm[i], m->inputs.axis[i], sizeof(MeVector3));
+    mcd_shapeAxes(mcd_const(tm), axis);
+    for (int i = 0; i < 3; i++)
+        if (m->shape.place[i] != (double)m->inputs.place[i])
+            return MEFALSE;
+    return memcmp(axis, m->shape.axis, sizeof axis) == 0;
 }
 
 MeBool mcd_shapeInRound(McdModelRecord *m, const double origin[3], McdShape *shape) {
     if (m->stamp == 0 || m->comparedIn != m->frame->round || !m->isPlaced || !m->shape.kind)
         return MEFALSE;
+    MEVALIDATE(isPoseAsCompared(m));
     memcpy(shape, &m->shape, offsetof(McdShape, corner));
     mcd_sub(shape->place, shape->place, origin);
     if (shape->kind->isSampled)
         shape->spin = m->angularVelocity;
-    MEVALIDATE(isShapeCurrent(m, origin, shape));
     return METRUE;
 }
