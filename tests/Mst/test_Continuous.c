@@ -96,6 +96,31 @@ TEST(no_bullet_tunnels_a_wall_of_two_centimetres) {
         ck_assert_msg(!shoot(ball, .05, .01, .5), "shot %d", i);
 }
 
+/* A wall that has lost its transform keeps its box, and with that its pairs: there is nothing to stop at. */
+TEST(a_bullet_flies_on_where_a_wall_has_lost_its_transform) {
+    for (int isReset = 0; isReset < 2; isReset++)
+        for (int isCompound = 0; isCompound < 2; isCompound++) {
+            setUp();
+            McdGeometryID shape = McdBoxCreate(u->frame, .02, 8, 8);
+            if (isCompound) {
+                const McdAggregateID all = McdAggregateCreate(u->frame, 1);
+                McdAggregateAddElement(all, shape, place);
+                shape = all;
+            }
+            const McdModelID wall = MstFixedModelCreate(u, shape, place), ball = makeBall(.05);
+            const double from[3] = {-10.5, 0, 0}, v[3] = {600, 0, 0};
+            put(ball, from, v); /* the wall is in the box of its second step */
+            step();
+            if (isReset)
+                McdModelReset(wall);
+            else
+                McdModelSetTransformPtr(wall, 0);
+            step();
+            assert_warned("transform");
+            assert_near(coordinate(ball, 0), 9.5, TOL(1e-5, 1e-12));
+        }
+}
+
 TEST(without_the_switch_they_tunnel) {
     int tunnels = 0;
     MstFixedModelCreate(u, McdBoxCreate(u->frame, .02, 8, 8), place);

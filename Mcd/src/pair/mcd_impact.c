@@ -200,6 +200,8 @@ MeReal MEAPI McdModelPairImpactTime(McdModelPair *p, const McdMotion motion[2], 
     const double margin = a->isFast || b->isFast ? mcd_pairMargin(p) : (double)a->tolerance + (double)b->tolerance;
     Search s = {.pair = p, .margin = margin, .near = near, .whole = (double)maxTime, .time = (double)maxTime};
     MEASSERT(maxTime >= 0);
+    if (!mcd_modelIsPlaced(a) || !mcd_modelIsPlaced(b))
+        return maxTime; /* it keeps its old box, and the pair with that */
     s.slow = margin / ahead;
     mcd_pairOrigin(&a->instance, &b->instance, s.origin);
     setMotion(&s.motion[0], &motion[0], s.origin);

@@ -83,11 +83,18 @@ static MeBool hasAdvanced(MdtBodyID body) {
     return body && !MdtBodyIsMover(body) && MdtBodyIsEnabled(body) && !(MdtBodyGetLag(body) > 0);
 }
 
+/* The point about which the model turns, in world coordinates; null without a transform. */
+static const MeReal *centreOf(McdModelID m) {
+    const MdtBodyID body = mst_bodyOf(m);
+    const MeMatrix4Ptr tm = body ? MdtBodyGetCenterOfMassTransformPtr(body) : McdModelGetPlace(m);
+    return tm ? tm[3] : 0;
+}
+
 /* A body that has completed its step stands still for those that lag. */
 static McdMotion motionOf(const MstBridgeRecord *b, McdModelID m) {
     McdMotion motion = {.spinRate = 0};
     const MdtBodyID body = mst_bodyOf(m), freeBody = mst_freeBodyOf(m);
-    copyVector(motion.centre, body ? MdtBodyGetCenterOfMassTransformPtr(body)[3] : McdModelGetPlace(m)[3]);
+    copyVector(motion.centre, centreOf(m));
     if (b->substep > 0 && hasAdvanced(body))
         return motion;
     copyVector(motion.velocity, McdModelGetLinearVelocityPtr(m));
