@@ -211,7 +211,19 @@ void mdt_rowsMake(MdtIsland *p) {
 
 /* ---- rows at other poses ---- */
 
-/* Updates the joints' Jacobians and bounds as bodies move from pass to pass. */
+/* False: a pose that Kea tries has overflowed (gravity of 1e38 m/s²). That step will not be committed. */
+static MeBool isInRange(const MdtKeaTransformation *pose) {
+    return isfinite(keaDot(pose->pos, pose->pos) + pose->R[0][0]);
+}
+
+static MeBool arePosesInRange(const MdtJoint *j, const MdtBclContext *x) {
+    for (int k = 0; k < 2; k++)
+        if (!isInRange(x->pose[k]) || (j->further[k] && !isInRange(x->pose[2 + k])))
+            return MEFALSE;
+    return METRUE;
+}
+
+/* Updates the joints' Jacobians and bounds as bodies move from pass to pass. Where a pose has overflowed, they stay. */
 void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation poses[]) {
     const MdtIsland *p = island;
     MdtKeaRow rows[MdtBclGETMAXROWS];
@@ -222,6 +234,8 @@ void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation pose
             continue;
         mdt_jointContext(p, j, p->kea.share, poses, &x);
         MEASSERT(j->firstRow + j->numRows <= p->kea.numRows);
+        if (!arePosesInRange(j, &x))
+            continue;
         j->type->fill(&j->bcl, &x, rows);
         for (int r = 0; r < j->numRows; r++) {
             MdtKeaRow *row = &p->kea.rows[j->firstRow + r];
