@@ -69,10 +69,11 @@ static MeBool intersectTriangle(const McdMeshQuery *q, const McdMeshTriangle *t,
 /* ---- classification ---------------------------------------------------------------------------------------------- */
 
 /* For checks: whether low and high, the shape's lowest and highest heights over the plane, are within its bounding
- * sphere. */
+ * sphere. Heights are rounded relative to the distance of the corner that they are measured from: up to 1e30 m. */
 static MeBool areHeightsGood(const McdMeshQuery *q, const McdMeshTriangle *t, double low, double high) {
     const double place = mcd_heightOver(q->shape.place, t->corner[0], t->normal),
-                 slack = 1e-6 * q->shape.extent + 1e-9 * fabs(place);
+                 distance = sqrt(mcd_distanceSquared(q->shape.place, t->corner[0])),
+                 slack = 1e-6 * q->shape.extent + 1e-9 * fabs(place) + 1e-14 * distance;
     return !mcd_shapeIsKnown(&q->shape) || !mcd_isUnit(t->normal) ||
            (low <= high + slack && high <= place + q->shape.extent + slack && low >= place - q->shape.extent - slack);
 }
