@@ -60,7 +60,8 @@ MEPUBLIC MeBool MEAPI MdtBodyPlaceMover(const MdtBodyID b, const MeReal time);
 
 /** @name Hidden bodies
  *  Movers of models that have no body: Mst places them. They are none of the world's bodies that programs see, and
- *  functions that return the body of a contact return null for them.
+ *  functions that return the body of a contact return null for them. A program's functions that change a body refuse
+ *  them: they could only come from a stale handle.
  *  @{ */
 /** Null, after a message, if the transform is no rotation, or there is no memory. */
 MEPUBLIC MdtBodyID MEAPI MdtBodyCreateHidden(const MdtWorldID w, const MeMatrix4 tm);
@@ -68,8 +69,9 @@ MEPUBLIC void MEAPI MdtBodyDestroyHidden(const MdtBodyID b);
 MEPUBLIC MeBool MEAPI MdtBodyIsHidden(const MdtBodyID b);
 /** The world's hidden body after @a b; null: the first one, or no more. */
 MEPUBLIC MdtBodyID MEAPI MdtWorldNextHidden(const MdtWorldID w, const MdtBodyID b);
-/** Sets the result of MdtBodyGetModel, and whose callback `leave` is called when the world is destroyed. */
-MEPUBLIC void MEAPI MdtBodySetHiddenUser(const MdtBodyID b, void *model, const MdtBodyUser *user);
+/** Sets the results of MdtBodyGetModel and MdtBodyGetUserData, and whose callback `leave` is called when the world is
+ *  destroyed. */
+MEPUBLIC void MEAPI MdtBodySetHiddenUser(const MdtBodyID b, void *model, void *data, const MdtBodyUser *user);
 /** Moves the body to its target at once, without velocity. */
 MEPUBLIC void MEAPI MdtBodyJump(const MdtBodyID b);
 /** MdtBodyMoveTo by a transform. False, and nothing is changed: it is not finite, or no rotation to 1 %. */

@@ -294,6 +294,35 @@ TEST(a_fixed_model_that_is_moved_carries_and_may_jump) {
     universe_step(2);
 }
 
+/* The body that moves a fixed model is none of the program's: a stale handle that happens to be its address is as one
+ * of any other body that is destroyed. */
+TEST(the_body_of_a_fixed_model_that_is_moved_is_refused) {
+    static MeMatrix4 tm;
+    begin(0, .8, 0);
+    const McdModelID platform = fixedBox(tm, 4, 4, 1, 0, 0, -.5);
+    const MdtBodyID load = box(.5, 1, 0, .25);
+    universe_step(2);
+    McdSpaceUnfreezeModel(platform);
+    tm[3][0] = (MeReal).01;
+    universe_step(1);
+    const MdtBodyID stale = McdModelGetBodyData(platform);
+    ck_assert(stale && !MdtBodyIsValid(stale));
+    messages_forget();
+    McdModelSetBody(MdtBodyGetModel(load), stale);
+    MdtBodySetUserData(stale, 0);
+    MdtBodySetKinematic(stale, MEFALSE);
+    MdtBodyDisable(stale);
+    MdtBodyReset(stale);
+    MdtBodyDestroy(stale);
+    ck_assert_int_eq(caught.warnings, 6);
+    ck_assert_str_eq(caught.last, "MdtBodyDestroy: the body has been destroyed, or never was one");
+    messages_forget();
+    ck_assert_ptr_eq(McdModelGetBody(MdtBodyGetModel(load)), load);
+    tm[3][0] = (MeReal).02;
+    universe_step(1);
+    ck_assert(speedAlong(load, 0) > .1); /* it is moved still */
+}
+
 /* ---- joints ---- */
 
 /* A pendulum of 1 m, whose support is moved along a curve and turned, after 2 s in n steps of 1/60 s each. */

@@ -89,6 +89,7 @@ void mdt_listSort(MdtList *list); /* sorts by key, then serial; a merge sort tha
 /* True for a live handle; otherwise warns in the caller's name. */
 MeBool mdt_isWorld(const MdtWorld *w, const char *caller);
 MeBool mdt_isBody(const MdtBody *b, const char *caller);
+MeBool mdt_isAnyBody(const MdtBody *b, const char *caller); /* mdt_isBody, and hidden bodies, which Mst reads, too */
 MeBool mdt_isConstraint(const MdtBaseConstraint *c, const char *caller);
 /* True for a finite number; otherwise warns. */
 MeBool mdt_isFinite(const char *caller, const char *what, MeReal x);

@@ -42,8 +42,14 @@ MeBool MEAPI MdtWorldIsValid(const MdtWorldID w) {
     return w && MeHandleIsLive(w, MDT_WORLD) && w->magic == MDT_WORLD;
 }
 
+/* Programs have no handles of hidden bodies, but for stale ones where such a body is now. */
+static MeBool isHidden(const MdtBody *b) {
+    return b->mover && b->mover->isHidden;
+}
+
 MeBool MEAPI MdtBodyIsValid(const MdtBodyID b) {
-    return b && MeHandleIsLive(b, MDT_BODY) && b->record.magic == MDT_BODY && !(b->record.flags & MDT_CONDEMNED);
+    return b && MeHandleIsLive(b, MDT_BODY) && b->record.magic == MDT_BODY && !(b->record.flags & MDT_CONDEMNED) &&
+           !isHidden(b);
 }
 
 /* True if the handle is a contact of a live manifold. A contact is a slot of a manifold's record, and only records are
@@ -92,10 +98,14 @@ MeBool mdt_isWorld(const MdtWorld *w, const char *caller) {
 }
 
 MeBool mdt_isBody(const MdtBody *b, const char *caller) {
-    if (b && IS_KNOWN(b, MDT_BODY) && b->record.magic == MDT_BODY)
+    if (b && IS_KNOWN(b, MDT_BODY) && b->record.magic == MDT_BODY && !isHidden(b))
         return METRUE;
     warnAbout(caller, "body", b == NULL);
     return MEFALSE;
+}
+
+MeBool mdt_isAnyBody(const MdtBody *b, const char *caller) {
+    return b && IS_KNOWN(b, MDT_BODY) && b->record.magic == MDT_BODY ? METRUE : mdt_isBody(b, caller);
 }
 
 MeBool mdt_isConstraint(const MdtBaseConstraint *c, const char *caller) {

@@ -5,11 +5,10 @@
 #include "MeAssert.h"
 #include <string.h>
 
-/* A function that returns a property of the body b; `none` for a bad handle. */
+/* A function that returns a property of the body b, which may be hidden; `none` for a bad handle. */
 #define BODY_GETTER(Type, function, none, value)                                                                       \
     Type MEAPI function(const MdtBodyID b) {                                                                           \
-        MDT_NEED_BODY(b, none);                                                                                        \
-        return value;                                                                                                  \
+        return mdt_isAnyBody(b, __func__) ? (value) : (none);                                                          \
     }
 
 #define BODY_VECTOR_GETTER(function, vector)                                                                           \
@@ -416,9 +415,10 @@ void MEAPI MdtBodyJump(const MdtBodyID b) {
     mdt_bodyShow(b);
 }
 
-void MEAPI MdtBodySetHiddenUser(const MdtBodyID b, void *model, const MdtBodyUser *user) {
+void MEAPI MdtBodySetHiddenUser(const MdtBodyID b, void *model, void *data, const MdtBodyUser *user) {
     MEASSERT(b->mover && b->mover->isHidden);
     b->model = model;
+    b->userData = data;
     b->mover->user = user;
 }
 
@@ -947,7 +947,8 @@ void MEAPI MdtBodyGetVelocityAtPoint(const MdtBodyID body, MeVector3 p, MeVector
     v[0] = v[1] = v[2] = 0;
     if (!mdt_isFinite3(__func__, "the point", (MeReal)point[0], (MeReal)point[1], (MeReal)point[2]))
         return;
-    MDT_NEED_BODY(body, );
+    if (!mdt_isAnyBody(body, __func__))
+        return;
     double arm[3], turning[3];
     mdt_bodyAcceptVelocities(body);
     keaSubtract(arm, point, body->kea.position);
@@ -1140,7 +1141,8 @@ BODY_VECTOR_GETTER(MdtBodyGetForce, mdt_forcesOf(b)->load[0])
 BODY_VECTOR_GETTER(MdtBodyGetTorque, mdt_forcesOf(b)->load[1])
 
 void MEAPI MdtBodyResetImpulses(const MdtBodyID b) {
-    MDT_NEED_BODY(b, );
+    if (!mdt_isAnyBody(b, __func__))
+        return;
     if (b->forces)
         memset(b->forces->impulse, 0, sizeof b->forces->impulse);
 }
@@ -1303,7 +1305,8 @@ void MEAPI MdtBodySetSortKey(const MdtBodyID b, const MeI32 key) {
 BODY_GETTER(MeI32, MdtBodyGetSortKey, 0, b->link.sortKey)
 
 int MEAPI MdtBodyGetPartitionSize(const MdtBodyID b) {
-    MDT_NEED_BODY(b, 0);
+    if (!mdt_isAnyBody(b, __func__))
+        return 0;
     const int p = b->partition;
     return p >= 0 && p < b->world->numPartitions ? b->world->bodyStart[p + 1] - b->world->bodyStart[p] : 0;
 }

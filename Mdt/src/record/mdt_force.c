@@ -206,7 +206,8 @@ void MEAPI MdtBodyAddLoad(const MdtBodyID b, const double force[3]) {
 }
 
 void MEAPI MdtBodyResetForces(const MdtBodyID b) {
-    MDT_NEED_BODY(b, );
+    if (!mdt_isAnyBody(b, __func__))
+        return;
     if (b->forces)
         memset(b->forces->load, 0, sizeof b->forces->load);
     b->record.flags &= ~MDT_FORCED;

@@ -105,8 +105,7 @@ static void MEAPI beginMoved(McdModelID m, MeMatrix4 before, void *world) {
     memcpy(moved->seen, before, sizeof moved->seen);
     moved->velocity[0] = McdModelGetLinearVelocityPtr(m);
     moved->velocity[1] = McdModelGetAngularVelocityPtr(m);
-    MdtBodySetUserData(body, moved);
-    MdtBodySetHiddenUser(body, m, &user);
+    MdtBodySetHiddenUser(body, m, moved, &user);
     m->mBody = body;
     m->mLeave = endMoved;
     McdModelPlaceBy(m, MdtBodyGetTransformPtr(body));
