@@ -63,7 +63,7 @@ MEPUBLIC MeBool MEAPI MdtBodyPlaceMover(const MdtBodyID b, const MeReal time);
  *  functions that return the body of a contact return null for them. A program's functions that change a body refuse
  *  them: they could only come from a stale handle.
  *  @{ */
-/** Null, after a message, if the transform is no rotation, or there is no memory. */
+/** Null, after a message without memory, if the transform is none that MdtBodyFollow accepts. */
 MEPUBLIC MdtBodyID MEAPI MdtBodyCreateHidden(const MdtWorldID w, const MeMatrix4 tm);
 MEPUBLIC void MEAPI MdtBodyDestroyHidden(const MdtBodyID b);
 MEPUBLIC MeBool MEAPI MdtBodyIsHidden(const MdtBodyID b);
@@ -74,7 +74,8 @@ MEPUBLIC MdtBodyID MEAPI MdtWorldNextHidden(const MdtWorldID w, const MdtBodyID 
 MEPUBLIC void MEAPI MdtBodySetHiddenUser(const MdtBodyID b, void *model, void *data, const MdtBodyUser *user);
 /** Moves the body to its target at once, without velocity. */
 MEPUBLIC void MEAPI MdtBodyJump(const MdtBodyID b);
-/** MdtBodyMoveTo by a transform. False, and nothing is changed: it is not finite, or no rotation to 1 %. */
+/** MdtBodyMoveTo by a transform. False, and nothing is changed: it is beyond MdtBodyGetPositionBound, or no rotation to
+ *  1 %. */
 MEPUBLIC MeBool MEAPI MdtBodyFollow(const MdtBodyID b, const MeMatrix4 tm);
 /** @} */
 

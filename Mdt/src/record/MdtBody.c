@@ -794,6 +794,11 @@ void MEAPI MdtBodyGetTransform(const MdtBodyID b, MeMatrix4 m) {
 
 BODY_GETTER(MeMatrix4Ptr, MdtBodyGetTransformPtr, NULL, b->transform)
 
+static MeBool isWithinBound(const MdtWorld *w, const double p[3]) {
+    const double max = mdt_worldBound(w);
+    return fabs(p[0]) <= max && fabs(p[1]) <= max && fabs(p[2]) <= max;
+}
+
 MeBool MEAPI MdtBodyFollow(const MdtBodyID b, const MeMatrix4 tm) {
     double R[3][3], p[3], q[4];
     MEASSERT(b->mover);
@@ -801,7 +806,7 @@ MeBool MEAPI MdtBodyFollow(const MdtBodyID b, const MeMatrix4 tm) {
         for (int j = 0; j < 3; j++)
             R[i][j] = tm[j][i];
     mdt_fromReal(p, tm[3]);
-    if (!mdt_areFinite(tm[3]) || !isRotation((const double(*)[3])R))
+    if (!isWithinBound(b->world, p) || !isRotation((const double(*)[3])R))
         return MEFALSE;
     keaQuaternionFromMatrix(q, (const double(*)[3])R);
     mdt_bodyCentrePose(b, p, q, &b->mover->target);
