@@ -127,15 +127,22 @@ static MeBool dispatchProximity(const McdShape *a, const McdShape *b, double lim
     return METRUE;
 }
 
+/* For checks, rad: by how much rounding may turn the normal of a search. It ends where no nearer point is found. Places
+ * are rounded to eps L, L being the larger extent, and squared distances to 2 d eps L: points that lie up to
+ * (2 d eps L)^1/2 beside the nearest one are as near, and turn the normal by (2 eps L / d)^1/2. Errors of the separation
+ * along it, which are up to L times that, were 5e-5 m in a falling arch of stones that were 9e-8 m apart, 4e-5 m between
+ * a capsule of 800 m and a hull of 3 m, 1.3e-7 m apart, 1.3e-5 m between a hull of .9 m and a triangle of .15 m, 1.8e-7 m
+ * apart, 6.7e-5 m between a sphere and a corner of a triangle of 500 m, .2 m apart. */
+static double searchedTurn(const McdShape *a, const McdShape *b, const McdProximity *p) {
+    return sqrt(4 * DBL_EPSILON * MeMAX(a->extent, b->extent) / fabs(p->separation));
+}
+
+/* A normal is good to 2e-5 of the size, and that turn; a wrong feature has a larger error. */
 static MeBool findProximity(const McdShape *a, const McdShape *b, double limit, McdProximity *p) {
     if (!dispatchProximity(a, b, limit, p))
         return MEFALSE;
     MEASSERT(p->separation <= limit);
-    /* To 2e-5 of the size; a wrong feature has a larger error. The normal of hulls that hardly touch is as exact as a
-     * direction between places known to 1e-11 of the larger one, along which that one is measured: errors seen are
-     * 5e-5 in a falling arch of stones that are 9e-8 m apart, 4e-5 between a capsule of 800 m and a hull of 3 m, 1.3e-7
-     * m apart, 1.3e-5 m between a hull of .9 m and a triangle of .15 m, 1.8e-7 m apart. */
-    MEVALIDATE(mcd_isAlongNormal(a, b, p, 2e-5, 1e-9 + 1e-11 * MeMAX(a->extent, b->extent) / fabs(p->separation)));
+    MEVALIDATE(mcd_isAlongNormal(a, b, p, 2e-5, 1e-9 + searchedTurn(a, b, p)));
     return METRUE;
 }
 
