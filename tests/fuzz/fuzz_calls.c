@@ -112,6 +112,16 @@ static void destroyed(const FuzzFunction *f, const FuzzValue *a) {
             objects[i].isDestroyed = METRUE;
 }
 
+/* What was where an object has been created is destroyed, though its handle is valid again, as the new one's: what
+ * belonged to the old one, such as the limit of a joint, is memory of the new one. */
+static void created(const FuzzFunction *f, const void *p) {
+    if (!p || !strstr(f->name, "Create"))
+        return;
+    for (int i = 0; i < objectCount; i++)
+        if (objects[i].p == p)
+            objects[i].isDestroyed = METRUE;
+}
+
 /* ---- arrays and structures of the program: they stay where they are ---- */
 
 typedef struct Arrays {
@@ -523,6 +533,7 @@ static void forgetPairs(void) {
 static void finish(const FuzzFunction *f, const FuzzValue *a, const FuzzValue *result, const char *word,
                    const int owner[2]) {
     destroyed(f, a);
+    created(f, f->result == FUZZ_HANDLE ? result->p : NULL);
     if (f->result != FUZZ_HANDLE || !word || word[0] != '=')
         return;
     const int slot = (int)(strtoul(word + 1, NULL, 10) % SLOTS);
