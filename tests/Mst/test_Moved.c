@@ -323,24 +323,6 @@ TEST(the_body_of_a_fixed_model_that_is_moved_is_refused) {
     ck_assert(speedAlong(load, 0) > .1); /* it is moved still */
 }
 
-/* Where positions have no digits left, it has no body, and no velocity. */
-TEST(a_fixed_model_may_be_put_beyond_the_bound_of_positions) {
-    static const double places[] = {1e30, -3e38, 2e7, 1};
-    static MeMatrix4 tm;
-    begin(0, .8, 0);
-    const McdModelID platform = fixedBox(tm, 4, 4, 1, 0, 0, -.5);
-    const MdtBodyID load = box(.5, 1, 0, .25);
-    universe_step(2);
-    for (int i = 0; i < 4; i++) {
-        tm[3][0] = (MeReal)places[i];
-        McdSpaceUnfreezeModel(platform);
-        universe_step(2);
-        messages_forget();
-        ck_assert_ptr_null(McdModelGetBody(platform));
-        ck_assert(isfinite(at(load, 0) + at(load, 2)));
-    }
-}
-
 /* ---- joints ---- */
 
 /* A pendulum of 1 m, whose support is moved along a curve and turned, after 2 s in n steps of 1/60 s each. */

@@ -400,42 +400,6 @@ LOOP_TEST(depths_follow_the_bodies, 0, KINDS) {
     ck_assert_msg(max > 1e-4, "the corners moved by %g in all", max);
 }
 
-static McdModelID movedWithin;
-
-static int MEAPI moveWithin(McdModelPair *pair, McdUserTriangle *triangle, MeVector3 at, MeReal radius, int max) {
-    (void)pair, (void)triangle, (void)at, (void)radius, (void)max;
-    McdModelDynamicsSetPosition(movedWithin, 0, 0, 9);
-    McdModelDynamicsSetQuaternion(movedWithin, (MeReal).8, (MeReal).6, 0, 0);
-    return 0;
-}
-
-/* A list's callback moves another body, whose pairs may have been compared and not yet tested: these are tested as they
- * were, and have no contacts in the next step. */
-TEST(a_callback_moves_a_body_before_or_after_its_own_test) {
-    for (int isFirst = 0; isFirst < 2; isFirst++) {
-        MeVector3 low = {-5, -5, -1}, high = {5, 5, 1};
-        universe_begin(0);
-        MdtWorldSetGravity(u->world, 0, 0, 0);
-        MeMatrix4TMMakeIdentity(groundPlace);
-        const McdGeometryID unit = McdBoxCreate(u->frame, 1, 1, 1),
-                            list = McdTriangleListCreate(u->frame, low, high, 8, moveWithin);
-        McdModelID probe = isFirst ? 0 : MstModelAndBodyCreate(u, unit, 1000);
-        MstFixedModelCreate(u, isFirst ? unit : list, groundPlace);
-        movedWithin = MstModelAndBodyCreate(u, unit, 1000);
-        MstFixedModelCreate(u, isFirst ? list : unit, groundPlace);
-        probe = probe ? probe : MstModelAndBodyCreate(u, unit, 1000);
-        McdModelDynamicsSetPosition(probe, 3, 3, (MeReal).9);
-        McdModelDynamicsSetPosition(movedWithin, 0, 0, (MeReal).99);
-        universe_step(1);
-        messages_forget();
-        MeVector3 p;
-        McdModelDynamicsGetPosition(movedWithin, p);
-        assert_near(p[2], 9, .2); /* the step has removed its overlap */
-        universe_step(1);
-        ck_assert_ptr_null(MdtBodyGetFirstContact(McdModelGetBody(movedWithin)));
-    }
-}
-
 TEST(bad_input_changes_nothing) {
     build(MST_CONTACT_REUSE, CUBES);
     assert_refused(MstBridgeSetContactReuse, u->bridge, -1);

@@ -127,12 +127,12 @@ static MeBool dispatchProximity(const McdShape *a, const McdShape *b, double lim
     return METRUE;
 }
 
-/* For checks, rad: by how much rounding may turn the normal of a search. It ends where no nearer point is found. Places
- * are rounded to eps L, L being the larger extent, and squared distances to 2 d eps L: points that lie up to
- * (2 d eps L)^1/2 beside the nearest one are as near, and turn the normal by (2 eps L / d)^1/2. Errors of the separation
- * along it, which are up to L times that, were 5e-5 m in a falling arch of stones that were 9e-8 m apart, 4e-5 m between
- * a capsule of 800 m and a hull of 3 m, 1.3e-7 m apart, 1.3e-5 m between a hull of .9 m and a triangle of .15 m, 1.8e-7 m
- * apart, 6.7e-5 m between a sphere and a corner of a triangle of 500 m, .2 m apart. */
+/* For checks, rad: by how much rounding may turn the normal of a search, which ends where no nearer point is found.
+ * Places are rounded to eps L, L being the larger extent, and squared distances to 2 d eps L: points that lie up to
+ * (2 d eps L)^1/2 beside the nearest one are as near, and turn the normal by (2 eps L / d)^1/2. The separation along it
+ * is wrong by up to L times that. Errors seen are 5e-5 m in a falling arch of stones that are 9e-8 m apart, 4e-5 m
+ * between a capsule of 800 m and a hull of 3 m, 1.3e-7 m apart, 1.3e-5 m between a hull of .9 m and a triangle of
+ * .15 m, 1.8e-7 m apart, and 6.7e-5 m between a sphere and a corner of a triangle of 500 m, .2 m apart. */
 static double searchedTurn(const McdShape *a, const McdShape *b, const McdProximity *p) {
     return sqrt(4 * DBL_EPSILON * MeMAX(a->extent, b->extent) / fabs(p->separation));
 }
