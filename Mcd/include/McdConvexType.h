@@ -35,8 +35,10 @@ ME_BEGIN_C
  *  results at any time, and several threads may call at once. They may call nothing that changes an object of the
  *  library (docs/simulation.md, "Callbacks").
  *  @{ */
-/** The point of the shape that lies farthest in a direction of length 1, as exact as double allows. Where several
- *  points lie equally far: any of them. */
+/** The point of the shape that lies farthest in a direction of length 1, as exact as double allows; rounding as that of
+ *  single precision, 1e-7 of the size, is measured and allowed for. Where several points lie equally far: any of them.
+ *  Points that are not the farthest ones by more than 1e-6 of the size: a warning, once for the type, and shapes that
+ *  touch with one contact at a time. */
 typedef void(MEAPI *McdConvexSupportFn)(const void *data, const double direction[3], double point[3]);
 /** m, >= 0: all points within this distance of the support function's shape, which may then be a point, a segment or
  *  flat, belong to the shape. */
@@ -77,7 +79,7 @@ MEPUBLIC int MEAPI McdFrameworkRegisterConvexType(McdFrameworkID frame, const ch
 MEPUBLIC MeBool MEAPI McdFrameworkTypeIsConvex(McdFrameworkID frame, int typeId);
 
 /**
- * Creates a shape. It calls the support function 1300 times for a polyhedron, up to 15 000 times for what has many
+ * Creates a shape. It calls the support function 1700 times for a polyhedron, up to 20 000 times for what has many
  * round edges, and keeps up to 58 kilobytes of faces: 256 faces with 1024 corners. Further faces, and those among
  * curved surfaces at less than .1 rad to the next face or line, have their deepest contact alone.
  * @param data dataSize bytes, copied; may be null if that is 0.

@@ -36,7 +36,8 @@ typedef struct Pair {
 
 static Pair makePair(const McdShape *a, const McdShape *b) {
     const double small = mcd_pairSize(a, b), large = MeMAX(a->extent, b->extent);
-    return (Pair){a, b, MeMAX(tolerance * small, resolution * large), mcd_guessTolerance(a, b)};
+    const double noise = 4 * (mcd_shapeNoise(a) + mcd_shapeNoise(b));
+    return (Pair){a, b, MeMAX3(tolerance * small, resolution * large, noise), mcd_guessTolerance(a, b)};
 }
 
 /* The support point of M in a direction. */

@@ -17,6 +17,7 @@ enum { STEPS = 12 };                    /* of the grid, along an edge of the oct
 static const double step = 1.5 / STEPS; /* rad, between neighbours */
 /* m per m of extent: narrower faces, and shorter lines, are not kept. */
 static const double minWidth = 1e-4;
+static const double normalError = 1e-4; /* rad: faces are not kept whose normals rounding turns by more */
 static const double halfTurn = 3.14159265358979324;
 
 typedef struct Search {
@@ -28,6 +29,10 @@ typedef struct Search {
     double corner[MCD_FLAT_CORNERS][3];
     McdRuling ruling[MCD_RULINGS];
 } Search;
+
+static double minWidthOf(const McdSampled *s) {
+    return fmax(minWidth * s->extent, s->noise / normalError);
+}
 
 /* ---- a face's border --------------------------------------------------------------------------------------------- */
 
@@ -70,15 +75,15 @@ static MeBool findBeyond(const McdSampled *s, const double normal[3], const doub
     double out[3];
     if (!outwardOf(p, q, normal, out))
         return MEFALSE;
-    mcd_sampledBeside(s, normal, mcd_besideFlat, out, beyond);
-    return mcd_heightOver(beyond, p, out) > 4 * mcd_slack * s->extent && !mcd_sampledEqual(s, beyond, p) &&
+    mcd_sampledBeside(s, normal, mcd_sampledBesideFlat(s), out, beyond);
+    return mcd_heightOver(beyond, p, out) > 4 * mcd_sampledSlack(s) && !mcd_sampledEqual(s, beyond, p) &&
            !mcd_sampledEqual(s, beyond, q);
 }
 
 static void traceBorder(const McdSampled *s, const double normal[3], Border *b) {
     enum { FIRST = 4 };
     double ring[FIRST][3];
-    mcd_sampledRing(s, normal, mcd_besideFlat, FIRST, ring);
+    mcd_sampledRing(s, normal, mcd_sampledBesideFlat(s), FIRST, ring);
     b->count = 0;
     for (int i = 0; i < FIRST; i++)
         if (b->count == 0 ||
@@ -124,7 +129,7 @@ static double widthOf(const Border *b, const double normal[3]) {
 /* The border's radius about `centre`; 0: it is not circular. */
 static double circleOf(const McdSampled *s, const double normal[3], double centre[3]) {
     double ring[MCD_RING][3], radius = 0;
-    mcd_sampledRing(s, normal, mcd_besideFlat, MCD_RING, ring);
+    mcd_sampledRing(s, normal, mcd_sampledBesideFlat(s), MCD_RING, ring);
     mcd_set(centre, 0, 0, 0);
     for (int i = 0; i < MCD_RING; i++)
         mcd_mad(centre, centre, 1. / MCD_RING, ring[i]);
@@ -135,7 +140,7 @@ static double circleOf(const McdSampled *s, const double normal[3], double centr
         mcd_sub(x, ring[i], centre);
         mcd_sub(y, ring[(i + 1) % MCD_RING], centre);
         mcd_cross(sine, x, y);
-        if (fabs(mcd_length(x) - radius) > 4 * mcd_slack * s->extent ||
+        if (fabs(mcd_length(x) - radius) > 4 * mcd_sampledSlack(s) ||
             fabs(mcd_length(sine) / (radius * radius) - .38268343236508977) > 1e-6)
             return 0;
     }
@@ -146,7 +151,7 @@ static int indexOfFlat(const Search *w, const double normal[3], const double on[
     static const double same = 1e-10; /* 1 - cosine: of what a corner within the slack tilts a small face */
     for (int i = 0; i < w->found.flats; i++)
         if (mcd_dot(w->flat[i].normal, normal) > 1 - same &&
-            fabs(mcd_heightOver(on, w->flat[i].centre, normal)) <= 4 * mcd_slack * w->s->extent)
+            fabs(mcd_heightOver(on, w->flat[i].centre, normal)) <= 4 * mcd_sampledSlack(w->s))
             return i;
     return -1;
 }
@@ -157,7 +162,7 @@ static MeBool addFlat(Search *w, const double normal[3], const double on[3]) {
     if (indexOfFlat(w, normal, on) >= 0)
         return METRUE;
     traceBorder(w->s, normal, &b);
-    if (widthOf(&b, normal) < minWidth * w->s->extent)
+    if (widthOf(&b, normal) < minWidthOf(w->s))
         return MEFALSE;
     if (w->found.flats == MCD_FLATS || (b.isPolygon && w->found.corners + b.count > MCD_FLAT_CORNERS))
         return w->isClosed = MEFALSE;
@@ -183,7 +188,8 @@ static MeBool addFlat(Search *w, const double normal[3], const double on[3]) {
 static double turnPlane(const McdSampled *s, const double p[3], const double q[3], const double normal[3],
                         double turned[3], MeBool *isFlat) {
     enum { TURNS = 40 };
-    static const double exact = 1e-12, round = 1e-5; /* of the extent; rad: a smaller turn is that of a round side */
+    static const double round = 1e-5; /* rad: a smaller turn is that of a round side */
+    const double exact = mcd_sampledExact(s);
     double out[3], point[3], angle = halfTurn;
     *isFlat = MEFALSE;
     mcd_copy(turned, normal);
@@ -195,9 +201,8 @@ static double turnPlane(const McdSampled *s, const double p[3], const double q[3
         const double height = mcd_heightOver(point, p, turned);
         const double x = mcd_heightOver(point, p, out), y = fmin(mcd_heightOver(point, p, normal), 0);
         const double next = atan2(-y, x);
-        *isFlat =
-            height <= exact * s->extent || (height <= mcd_slack * s->extent && hypot(x, y) > minWidth * s->extent);
-        if (height <= exact * s->extent || !(next < angle))
+        *isFlat = height <= exact || (height <= mcd_sampledSlack(s) && hypot(x, y) > minWidthOf(s));
+        if (height <= exact || !(next < angle))
             break;
         angle = next;
         for (int k = 0; k < 3; k++)
@@ -276,17 +281,28 @@ static void findRounded(Search *w, double normal[3]) {
             aside = here > width ? i : aside;
             width = fmax(width, here);
         }
-        if (width < fmax(minWidth * s->extent, sqrt(narrower) * before) ||
+        if (width < fmax(minWidthOf(s), sqrt(narrower) * before) ||
             !planeOf(ring[0], ring[AROUND / 2], ring[aside], normal, next) || mcd_dot(next, normal) < 1 - step * step)
             return;
         mcd_copy(normal, next);
-        if (mcd_sampledHeight(s, normal, ring[0]) <= mcd_slack * s->extent) {
+        if (mcd_sampledHeight(s, normal, ring[0]) <= mcd_sampledSlack(s)) {
             addFlat(w, normal, ring[0]);
             return;
         }
         before = width;
         tilt *= narrower;
     }
+}
+
+/* Whether the support points are farther apart than where radii of curvature are those of the shape. */
+static MeBool isNearlyFlat(const McdSampled *s, const Sample *a, const Sample *b, const Sample *c) {
+    static const double flatter = 2;
+    double x[3], y[3], area[3];
+    mcd_sub(x, b->p, a->p);
+    mcd_sub(y, c->p, a->p);
+    mcd_cross(area, x, y);
+    const double longest = fmax(fmax(mcd_length(x), mcd_length(y)), sqrt(mcd_distanceSquared(b->p, c->p)));
+    return mcd_length(area) > flatter * step * s->extent * longest;
 }
 
 static void considerTriangle(Search *w, const Sample *a, const Sample *b, const Sample *c) {
@@ -298,9 +314,9 @@ static void considerTriangle(Search *w, const Sample *a, const Sample *b, const 
         return;
     const double length = sqrt(mcd_distanceSquared(a->p, b->p)) + sqrt(mcd_distanceSquared(b->p, c->p));
     const double height = mcd_sampledHeight(s, normal, a->p);
-    if (height <= mcd_slack * s->extent)
+    if (height <= mcd_sampledSlack(s))
         addFlat(w, normal, a->p);
-    else if (height < .02 * step * length) /* curved surfaces: three times as much */
+    else if (height < .02 * step * length || isNearlyFlat(s, a, b, c)) /* curved surfaces: three times as high */
         findRounded(w, normal);
     spread(w);
 }
@@ -333,7 +349,7 @@ static MeBool isOnRoundSide(const McdSampled *s, const McdLine *line, double *tw
     mcd_cross(w, line->normal, line->along);
     mcd_scale(n, line->normal, cos(turn));
     mcd_mad(n, n, sin(turn), w);
-    if (!mcd_sampledLine(s, n, line->along, mcd_exactLine, &beside) || beside.length < line->length / 2)
+    if (!mcd_sampledLine(s, n, line->along, mcd_sampledExact(s), &beside) || beside.length < line->length / 2)
         return MEFALSE;
     *twist = mcd_dot(beside.along, w) / mcd_dot(beside.normal, w);
     return !mcd_sampledEqual(s, beside.end[0], line->end[0]) || !mcd_sampledEqual(s, beside.end[1], line->end[1]);
@@ -352,10 +368,21 @@ static MeBool addFlatsBeside(Search *w, const McdLine *line) {
     return hasFlat;
 }
 
+/* Whether the line ends: as the directions lean more to its ends, these move no more than on a rounding as large as the
+ * shape. Nearly flat surfaces look straight over a length that depends on how near the directions are. */
+static MeBool hasEnds(const McdSampled *s, const McdLine *line) {
+    static const double tilt = 1e-3;
+    double end[2][3], between[3];
+    for (int i = 0; i < 2; i++)
+        mcd_sampledBeside(s, line->normal, i ? tilt : -tilt, line->along, end[i]);
+    mcd_sub(between, end[1], end[0]);
+    return mcd_dot(between, line->along) - line->length <= 3 * tilt * s->extent;
+}
+
 /* A line of a round side, or an edge between two of them, is kept; of other edges the faces beside. */
 static void addLine(Search *w, const McdLine *line) {
     double twist;
-    if (line->length < minWidth * w->s->extent || w->found.rulings == MCD_RULINGS ||
+    if (line->length < minWidthOf(w->s) || w->found.rulings == MCD_RULINGS ||
         isRulingKnown(w, line->normal, line->along) || (!isOnRoundSide(w->s, line, &twist) && addFlatsBeside(w, line)))
         return;
     McdRuling *r = &w->ruling[w->found.rulings++];
@@ -363,6 +390,7 @@ static void addLine(Search *w, const McdLine *line) {
     mcd_copy(r->along, line->along);
     r->length = line->length;
     r->twist = twist;
+    r->isBent = !hasEnds(w->s, line);
 }
 
 /* Adds the other lines of the side that the line is on. */
@@ -373,7 +401,7 @@ static void addSide(Search *w, const McdLine *line) {
             double normal[3], along[3];
             McdLine next;
             mcd_rulingTurn(&w->ruling[i], 1.01 * side * SPACING * step, normal, along);
-            if (!isRulingKnown(w, normal, along) && mcd_sampledLine(w->s, normal, along, mcd_exactLine, &next))
+            if (!isRulingKnown(w, normal, along) && mcd_sampledLine(w->s, normal, along, mcd_sampledExact(w->s), &next))
                 addLine(w, &next);
         }
 }
@@ -400,10 +428,10 @@ static void considerEdge(Search *w, const Sample *from, const Sample *to) {
     }
     mcd_sub(along, b.p, a.p);
     const double length = mcd_length(along);
-    if (length < minWidth * w->s->extent)
+    if (length < minWidthOf(w->s))
         return;
     mcd_scale(along, along, 1 / length);
-    if (!isRulingKnown(w, middle.d, along) && mcd_sampledLine(w->s, middle.d, along, mcd_exactLine, &line))
+    if (!isRulingKnown(w, middle.d, along) && mcd_sampledLine(w->s, middle.d, along, mcd_sampledExact(w->s), &line))
         addSide(w, &line);
 }
 
@@ -499,7 +527,7 @@ McdFeatures *mcd_sampledFeatures(const McdSampled *s) {
     w->isClosed = METRUE;
     w->visited = 0;
     w->found = (McdFeatures){.flats = 0};
-    for (int octant = 0; octant < 8 && !w->found.isPolyhedron; octant++)
+    for (int octant = 0; octant < 8 && s->isConsistent && !w->found.isPolyhedron; octant++)
         searchOctant(w, octant);
     w->found.hasDisc = hasDisc(w);
     McdFeatures *found = copyFound(w);

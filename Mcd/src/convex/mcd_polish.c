@@ -14,7 +14,7 @@ typedef struct Slope {
 
 typedef struct Pair {
     const McdShape *a, *b;
-    double size; /* m */
+    double size, noise; /* m */
 } Pair;
 
 static void slopeAlong(const Pair *p, const double n[3], const double u[3], const double w[3], Slope *s) {
@@ -73,7 +73,7 @@ static MeBool improveNormal(const Pair *p, double n[3], Slope *s) {
     Slope there;
     mcd_basis(n, u, w);
     slopeAlong(p, n, u, w, s);
-    if (!(steepness(s) > 1e-14 * p->size))
+    if (!(steepness(s) > fmax(1e-14 * p->size, p->noise)))
         return MEFALSE;
     curvatureAt(p, n, u, w, s->separation, h);
     if (!newtonStep(s->gradient, h, step))
@@ -98,7 +98,7 @@ static MeBool polishByNewton(const Pair *pair, McdProximity *p) {
     mcd_copy(n, p->normal);
     for (int i = 0; i < STEPS && improveNormal(pair, n, &s); i++)
         ;
-    if (!(steepness(&s) <= 1e-9 * pair->size))
+    if (!(steepness(&s) <= fmax(1e-9 * pair->size, 4 * pair->noise)))
         return MEFALSE;
     mcd_copy(p->normal, n);
     p->separation = s.separation;
@@ -189,12 +189,13 @@ static MeBool polishByCentre(const Pair *pair, MeBool isOfA, McdProximity *p) {
     enum { ROUNDS = 24 };
     const McdShape *smooth = isOfA ? pair->a : pair->b, *other = isOfA ? pair->b : pair->a;
     const double side = isOfA ? -1 : 1; /* of the surface's outward normal */
-    double n[3], out[3], before[3], onInner[3], onOther[3], change = 1;
+    double n[3], out[3], before[3], onInner[3], onOther[3], change = 1, noise = 0;
     Inner inner;
     mcd_scale(out, p->normal, side);
     if (!smooth->kind->isSampled || !makeInner(smooth, out, &inner))
         return MEFALSE;
-    for (int i = 0; i < ROUNDS && change > 1e-10; i++) {
+    noise = pair->noise / inner.radius;
+    for (int i = 0; i < ROUNDS && change > fmax(1e-10, noise); i++) {
         if (!moveInner(smooth, out, &inner) ||
             !(mcd_convexDistance(&inner.core, other, onInner, onOther, n) + other->rounding > 0))
             return MEFALSE;
@@ -204,7 +205,7 @@ static MeBool polishByCentre(const Pair *pair, MeBool isOfA, McdProximity *p) {
     }
     mcd_scale(n, out, side);
     const double separation = mcd_separationAlong(pair->a, pair->b, n);
-    if (!(change <= 1e-7) || !(separation >= p->separation - mcd_slack * 1e-3 * pair->size))
+    if (!(change <= fmax(1e-7, 4 * noise)) || !(separation >= p->separation - mcd_slack * 1e-3 * pair->size))
         return MEFALSE;
     double *const onSmooth = isOfA ? p->onA : p->onB, *const onCore = isOfA ? p->onB : p->onA;
     mcd_copy(p->normal, n);
@@ -215,6 +216,6 @@ static MeBool polishByCentre(const Pair *pair, MeBool isOfA, McdProximity *p) {
 }
 
 MeBool mcd_polishNormal(const McdShape *a, const McdShape *b, McdProximity *p) {
-    const Pair pair = {a, b, mcd_pairSize(a, b)};
+    const Pair pair = {a, b, mcd_pairSize(a, b), mcd_shapeNoise(a) + mcd_shapeNoise(b)};
     return polishByNewton(&pair, p) || polishByCentre(&pair, METRUE, p) || polishByCentre(&pair, MEFALSE, p);
 }

@@ -14,7 +14,7 @@ static MeBool isPossible(const McdSampled *s, const double direction[3], const d
     return mcd_dot(point, point) <= max * max && mcd_heightOver(point, s->middle, direction) >= -1e-6 * s->extent;
 }
 
-static void warnOfPoint(const McdSampled *s) {
+void mcd_sampledWarn(const McdSampled *s) {
     if (atomic_exchange(&s->type->hasWarned, 1) == 0)
         MeWarning(
             1,
@@ -30,7 +30,7 @@ void mcd_sampledPoint(const McdSampled *s, const double direction[3], double poi
         return;
     if (!isPossible(s, direction, point)) {
         mcd_copy(point, s->middle);
-        warnOfPoint(s);
+        mcd_sampledWarn(s);
     }
     const double height = mcd_heightOver(point, s->middle, direction);
     if (height < 0)
@@ -72,8 +72,20 @@ double mcd_sampledHeight(const McdSampled *s, const double normal[3], const doub
     return mcd_heightOver(farthest, point, normal);
 }
 
+double mcd_sampledSlack(const McdSampled *s) {
+    return fmax(mcd_slack * s->extent, 4 * s->noise);
+}
+
+double mcd_sampledExact(const McdSampled *s) {
+    return fmax(1e-12 * s->extent, 4 * s->noise);
+}
+
+double mcd_sampledBesideFlat(const McdSampled *s) {
+    return fmax(1e-6, 16 * s->noise / s->extent);
+}
+
 MeBool mcd_sampledEqual(const McdSampled *s, const double a[3], const double b[3]) {
-    const double same = 4 * mcd_slack * s->extent;
+    const double same = 4 * mcd_sampledSlack(s);
     return mcd_distanceSquared(a, b) <= same * same;
 }
 
@@ -217,6 +229,43 @@ static double farthestCorner(const McdFeatures *k) {
     return max;
 }
 
+/* m: by how much the points of directions side by side are farther in each other's direction than their own, at most.
+ * Between directions so near a curved surface falls by 1e-10 of its radius, and support functions in double err by
+ * 1e-15 of the extent. */
+static double noiseOf(const McdSampled *s) {
+    enum { COUNT = 128 };
+    static const double between = 1e-5, evenTurn = 2.39996322972865332; /* rad: the golden angle */
+    double noise = 0;
+    for (int i = 0; i < COUNT; i++) {
+        const double z = (2 * i + 1.) / COUNT - 1, aside = sqrt(1 - z * z), angle = evenTurn * i;
+        const double d[3] = {aside * cos(angle), aside * sin(angle), z};
+        double beside[3], axis[2][3], point[3], other[3];
+        mcd_basis(d, axis[0], axis[1]);
+        mcd_mad(beside, d, between, axis[0]);
+        mcd_scale(beside, beside, 1 / mcd_length(beside));
+        mcd_sampledPoint(s, d, point);
+        mcd_sampledPoint(s, beside, other);
+        noise = fmax(noise, fmax(mcd_heightOver(other, point, d), mcd_heightOver(point, other, beside)));
+    }
+    return noise;
+}
+
+/* Sets the noise, up to more than that of single precision. Beyond, the points are not those of one shape, which then
+ * has no features. */
+static void measureNoise(McdSampled *s, double extent) {
+    static const double min = 1e-13, max = 1e-6; /* of the extent */
+    const MeProgramCall before = mcd_sampledEnter();
+    const double noise = noiseOf(s);
+    MeProgramLeave(&before);
+    s->isConsistent = noise <= max * extent;
+    s->noise = s->isConsistent && noise > min * extent ? noise : 0;
+    if (!s->isConsistent && atomic_exchange(&s->type->hasWarned, 1) == 0)
+        MeWarning(1,
+                  "McdFrameworkRegisterConvexType: the support function of %s gave points that are not the farthest of "
+                  "one shape, by %g m: where it touches, there is one contact",
+                  s->type->name, noise);
+}
+
 /* The features, and what follows from them; false, with an error: no memory. */
 static MeBool measureFeatures(McdSampled *s) {
     const MeProgramCall before = mcd_sampledEnter();
@@ -226,7 +275,7 @@ static MeBool measureFeatures(McdSampled *s) {
         return MEFALSE;
     s->flatFaces = flatFacesOf(s->features);
     if (s->features->isPolyhedron)
-        s->extent = farthestCorner(s->features) + s->rounding;
+        s->extent = farthestCorner(s->features) + s->rounding + 4 * s->noise;
     return METRUE;
 }
 
@@ -241,9 +290,11 @@ MeBool mcd_sampledMeasure(McdSampled *s) {
         return MEFALSE;
     mcd_sampledTriangles(s, even, COUNT, measureTriangle, &e);
     /* Each direction is within sqrt(2) / COUNT of one of the grid's, in which the farthest point lies nearly as far. */
-    s->extent = sqrt(e.max) / (1 - 1. / (COUNT * COUNT));
-    if (!e.isFinite || !(s->extent >= (double)FLT_MIN && s->extent <= (double)FLT_MAX / 4))
+    const double extent = sqrt(e.max) / (1 - 1. / (COUNT * COUNT));
+    if (!e.isFinite || !(extent >= (double)FLT_MIN && extent <= (double)FLT_MAX / 4))
         return MEFALSE;
+    measureNoise(s, extent);
+    s->extent = extent;
     mcd_scale(s->middle, e.sum, 1. / e.count);
     return measureFeatures(s);
 }

@@ -43,11 +43,11 @@ MeBool mcd_sampledLine(const McdSampled *s, const double n[3], const double alon
         if (!alignLine(&next, n) || next.length < before)
             break;
         const double height = mcd_sampledHeight(s, next.normal, next.end[0]);
-        if (height <= fmax(exact, mcd_slack) * s->extent) {
+        if (height <= fmax(exact, mcd_sampledSlack(s))) {
             isLine = METRUE;
             *line = next;
         }
-        if (height <= exact * s->extent)
+        if (height <= exact)
             break;
         before = next.length * sqrt(narrower[round]);
         tilt *= narrower[round];
@@ -59,11 +59,11 @@ MeBool mcd_sampledLine(const McdSampled *s, const double n[3], const double alon
 
 /* The line with a normal that is known to 1e-6 rad. */
 static MeBool confirmLine(const McdSampled *s, const double n[3], const double along[3], double length, McdLine *line) {
-    static const double tilt = 1e-6;
+    const double tilt = fmax(1e-6, 4 * s->noise / length);
     mcd_sampledBeside(s, n, -tilt, along, line->end[0]);
     mcd_sampledBeside(s, n, tilt, along, line->end[1]);
     return alignLine(line, n) && line->length > length / 2 &&
-           mcd_sampledHeight(s, line->normal, line->end[0]) <= mcd_exactLine * s->extent;
+           mcd_sampledHeight(s, line->normal, line->end[0]) <= mcd_sampledExact(s);
 }
 
 /* v turned by an angle about an axis of length 1. */
@@ -102,19 +102,19 @@ void mcd_rulingTurn(const McdRuling *r, double angle, double normal[3], double a
 /* Goes on to the line whose normal is nearest to n. */
 static MeBool nearestLine(const McdSampled *s, const double n[3], const McdRuling *start, McdLine *line) {
     enum { STEPS = 12 };
-    static const double maxTurn = .4, near = .01, exact = 1e-9; /* rad */
+    static const double maxTurn = .4, near = .01; /* rad */
     McdRuling here = *start;
     MeBool isExact = MEFALSE;
     for (int i = 0; i < STEPS; i++) {
         double m[3], a[3], w[3];
         const double to = mcd_rulingAngle(&here, n), turned = MeCLAMP(to, -maxTurn, maxTurn);
-        if (isExact && fabs(turned) < exact)
+        if (isExact && fabs(turned) < fmax(1e-9, 8 * s->noise / here.length))
             return METRUE;
         mcd_rulingTurn(&here, turned, m, a);
         isExact = confirmLine(s, m, a, here.length, line);
         if (!isExact) {
             isExact = fabs(turned) < near;
-            if (!mcd_sampledLine(s, m, a, isExact ? mcd_exactLine : 1e-5, line))
+            if (!mcd_sampledLine(s, m, a, isExact ? mcd_sampledExact(s) : 1e-5 * s->extent, line))
                 return MEFALSE;
         }
         mcd_cross(w, here.normal, here.along);
@@ -126,6 +126,13 @@ static MeBool nearestLine(const McdSampled *s, const double n[3], const McdRulin
         here.length = line->length;
     }
     return isExact;
+}
+
+/* The line of a nearly straight surface whose normal is nearest to n. */
+static MeBool nearestBent(const McdSampled *s, const double n[3], const McdRuling *start, McdLine *line) {
+    double m[3], a[3];
+    mcd_rulingTurn(start, mcd_rulingAngle(start, n), m, a);
+    return mcd_dot(m, n) > 1 - wide * wide / 2 && mcd_sampledLine(s, m, a, mcd_sampledSlack(s), line);
 }
 
 /* m: the radius of curvature of the surface with the normal n in the direction across. */
@@ -180,7 +187,7 @@ typedef struct Choice {
     double rounding, toward[3];
     double cosine; /* of the angle to the direction */
     McdLine line;
-    MeBool isLine;
+    MeBool isLine, isBent;
 } Choice;
 
 static void addPoint(const McdShape *s, McdFace *f, const double point[3], MeU32 name) {
@@ -210,11 +217,12 @@ static void makeDisc(const McdShape *shape, const McdFlat *flat, const double ce
 static int sampleRim(const McdSampled *s, const McdFlat *flat, const double n[3], double point[][3]) {
     enum { TILTED = 5 };
     static const double flatSine = .05, fifth = 1.2566370614359173;
+    const double beside = fmax(1e-5, mcd_sampledBesideFlat(s)); /* so wide that nearly flat surfaces stand */
     double u[3], w[3];
     mcd_mad(u, n, -mcd_dot(n, flat->normal), flat->normal);
     const double sine = mcd_length(u);
     if (sine <= flatSine) {
-        mcd_sampledRing(s, flat->normal, mcd_besideFlat, MCD_RING, point);
+        mcd_sampledRing(s, flat->normal, beside, MCD_RING, point);
         return MCD_RING;
     }
     mcd_scale(u, u, 1 / sine);
@@ -223,7 +231,7 @@ static int sampleRim(const McdSampled *s, const McdFlat *flat, const double n[3]
         double along[3];
         mcd_scale(along, u, cos(i * fifth));
         mcd_mad(along, along, sin(i * fifth), w);
-        mcd_sampledBeside(s, flat->normal, mcd_besideFlat, along, point[i]);
+        mcd_sampledBeside(s, flat->normal, beside, along, point[i]);
     }
     return TILTED;
 }
@@ -357,17 +365,20 @@ static MeBool isOnLine(const McdSampled *s, const McdLine *line, const double n[
 /* Whether the support point in the direction n is on the rounded border of a face, whose radius it sets. */
 static MeBool isOnRounding(const McdSampled *s, const McdFlat *flat, const double n[3], const double farthest[3],
                            double *rounding) {
-    double out[3], border[3], at[3];
+    double out[3], border[3];
     mcd_mad(out, n, -mcd_dot(n, flat->normal), flat->normal);
-    const double length = mcd_length(out);
+    const double sine = mcd_length(out), beside = mcd_sampledBesideFlat(s);
     *rounding = 0;
-    if (!(length > 1e-6))
+    if (!(sine > 2 * beside))
         return METRUE;
-    mcd_scale(out, out, 1 / length);
-    mcd_sampledBeside(s, flat->normal, mcd_besideFlat, out, border);
-    *rounding = roundingAt(farthest, n, flat->centre, flat->normal);
-    roundedPoint(border, *rounding, n, flat->normal, at);
-    return fabs(mcd_heightOver(at, farthest, out)) <= onBorder * s->extent; /* along an edge both may be anywhere */
+    mcd_scale(out, out, 1 / sine);
+    mcd_sampledBeside(s, flat->normal, beside, out, border);
+    const double moved = mcd_heightOver(farthest, border, out); /* along an edge both may be anywhere */
+    if (moved > fmax(mcd_sampledExact(s), beside * s->extent))
+        *rounding = moved / (sine - beside);
+    const double fall = .5 * mcd_distanceSquared(n, flat->normal);
+    const double depth = -mcd_heightOver(farthest, flat->centre, flat->normal);
+    return fabs(depth - *rounding * fall) <= onBorder * s->extent * fall / sine + mcd_sampledExact(s);
 }
 
 /* Of the angle to a face that may be chosen: more tilted ones are seen from their edge. */
@@ -394,16 +405,18 @@ static void chooseFlat(const McdSampled *s, const double n[3], const double fart
     c->cosine = minCosine;
     if (!nearest || !(mcd_dot(nearest->normal, n) > minCosine))
         return;
-    if (isOnRounding(s, nearest, n, farthest, &c->rounding)) {
+    const MeBool isRounded = isOnRounding(s, nearest, n, farthest, &c->rounding);
+    if (!isRounded)
+        c->rounding = 0;
+    if (isRounded || mcd_dot(nearest->normal, n) > 1 - wide * wide / 2) {
         c->flat = nearest;
         c->cosine = mcd_dot(nearest->normal, n);
         return;
     }
-    c->rounding = 0;
     for (int i = 0; i < k->flats; i++) {
         const McdFlat *flat = &k->flat[i];
         if (mcd_dot(flat->normal, n) > c->cosine &&
-            -mcd_heightOver(farthest, flat->centre, flat->normal) <= mcd_slack * s->extent) {
+            -mcd_heightOver(farthest, flat->centre, flat->normal) <= mcd_sampledSlack(s)) {
             c->flat = flat;
             c->cosine = mcd_dot(flat->normal, n);
         }
@@ -413,9 +426,11 @@ static void chooseFlat(const McdSampled *s, const double n[3], const double fart
 /* Whether the line is on the rounding of an edge of the face, with both ends. */
 static MeBool isOnEdge(const McdSampled *s, const McdFlat *flat, const McdLine *line, double *rounding) {
     static const double same = .1; /* of the radius, which has a large error near the face's normal */
+    const double sine = sqrt(mcd_distanceSquared(line->normal, flat->normal));
     double other;
     return isOnRounding(s, flat, line->normal, line->end[0], rounding) &&
-           isOnRounding(s, flat, line->normal, line->end[1], &other) && fabs(other - *rounding) <= same * *rounding;
+           isOnRounding(s, flat, line->normal, line->end[1], &other) &&
+           fabs(other - *rounding) * sine <= same * *rounding * sine + 2 * mcd_sampledExact(s);
 }
 
 /* A line on the rounding of an edge of a face stands for the face: seen from where the line is, or from n at a rounded
@@ -452,11 +467,12 @@ static void chooseLine(const McdSampled *s, const double n[3], const double fart
     McdLine line;
     const McdRuling *start = nearestRuling(s->features, n, &cosine);
     if (!start || (c->flat && acos(MeMIN(c->cosine, 1)) + reach < acos(MeCLAMP(cosine, -1, 1))) ||
-        !nearestLine(s, n, start, &line) || (c->flat && mcd_dot(line.normal, n) <= c->cosine + 1e-12) ||
-        !isOnLine(s, &line, n, farthest))
+        !(start->isBent ? nearestBent : nearestLine)(s, n, start, &line) ||
+        (c->flat && mcd_dot(line.normal, n) <= c->cosine + 1e-12) || !isOnLine(s, &line, n, farthest))
         return;
     c->isLine = METRUE;
     c->line = line;
+    c->isBent = start->isBent;
 }
 
 static MeBool isSharp(const McdSampled *s, const double n[3], const double farthest[3]) {
@@ -488,8 +504,10 @@ static void findFace(const McdShape *shape, const double direction[3], McdFace *
     }
     mcd_sampledPoint(s, n, farthest);
     chooseFlat(s, n, farthest, &c);
-    chooseLine(s, n, farthest, &c);
-    preferFlat(s, n, &c);
+    if (!(c.flat && c.cosine > 1 - wide * wide / 2)) {
+        chooseLine(s, n, farthest, &c);
+        preferFlat(s, n, &c);
+    }
     if (c.isLine) {
         makeLine(shape, &c.line, n, farthest, f);
     } else if (c.flat) {
@@ -508,7 +526,7 @@ MeBool mcd_sampledLineToward(const McdShape *shape, const double direction[3], M
     Choice c = {.flat = 0};
     mcd_sampledDirection(shape, direction, n);
     chooseLine(s, n, farthest, &c);
-    const MeBool isAlong = c.isLine && mcd_dot(c.line.normal, n) > 1 - wide * wide / 2;
+    const MeBool isAlong = c.isLine && !c.isBent && mcd_dot(c.line.normal, n) > 1 - wide * wide / 2;
     if (isAlong)
         *radius = radiusAcrossLine(s, &c.line);
     MeProgramLeave(&before);

@@ -28,6 +28,7 @@ typedef struct McdFlat {
 typedef struct McdRuling {
     double normal[3], along[3], length; /* m */
     double twist;                       /* rad per rad: how far `along` turns as the normal turns across it */
+    MeBool isBent;                      /* it is straight to within the slack alone, and has no ends */
 } McdRuling;
 
 /* Limits of memory: 58 kilobytes a shape at most. Faces beyond the limit have their farthest point alone. */
@@ -49,6 +50,8 @@ struct McdSampled {
     const void *data;
     McdFeatures *features;
     double rounding, extent; /* m; extent: from the origin, an upper bound, with the rounding */
+    double noise;            /* m: by how much support points are not the farthest ones, as they are rounded */
+    MeBool isConsistent;     /* support points are those of one shape, to within rounding */
     double middle[3];        /* a point of the shape */
     MeU32 flatFaces;         /* bits: faces whose normals are x, -x, y, -y, z, -z */
 };
@@ -60,6 +63,8 @@ typedef struct McdLine {
 
 /* Brackets calls of the program's function, one or many. */
 MeProgramCall mcd_sampledEnter(void);
+/* Warns, once for the type, that a support point cannot be one. */
+void mcd_sampledWarn(const McdSampled *s);
 /* Calls the support function, within mcd_sampledEnter; direction: length 1. If its point is not finite, beyond the
  * extent, or behind the middle: the middle, and a warning, once for the type. While the extent is INFINITY, any point
  * is taken. */
@@ -74,23 +79,25 @@ void mcd_sampledDirection(const McdShape *s, const double direction[3], double o
 double mcd_sampledHeight(const McdSampled *s, const double normal[3], const double point[3]);
 /* Whether two points are one, to within rounding. */
 MeBool mcd_sampledEqual(const McdSampled *s, const double a[3], const double b[3]);
+/* m: how far the shape may be above what lies on its surface; and above a plane or a line that is found exactly. */
+double mcd_sampledSlack(const McdSampled *s);
+double mcd_sampledExact(const McdSampled *s);
+/* Tangent of the angle in which corners of a face are found, m per m that these are below the face. */
+double mcd_sampledBesideFlat(const McdSampled *s);
 /* Support points in `count` directions around n, tilted by the tangent k; count divides MCD_RING. */
 enum { MCD_RING = 16 };
 void mcd_sampledRing(const McdSampled *s, const double n[3], double k, int count, double point[][3]);
 /* Finds the straight line of the surface whose normal is nearest to n, which is near one, and which goes nearly along
- * the direction given; false: there is none. Rounded ends are approached from outside. */
+ * the direction given, the shape being above it by no more than `exact`, in m, if possible; false: there is none.
+ * Rounded ends are approached from outside. */
 MeBool mcd_sampledLine(const McdSampled *s, const double n[3], const double along[3], double exact, McdLine *line);
 /* The angle by which a line has to turn about its axis for its normal to be nearest to n; and the line that has turned
  * so, as far as the axis is constant. */
 double mcd_rulingAngle(const McdRuling *r, const double n[3]);
 void mcd_rulingTurn(const McdRuling *r, double angle, double normal[3], double along[3]);
-/* Of `exact`, a share of the extent: how far the shape may be above the line. */
-static const double mcd_exactLine = 1e-12;
 
 /* Finds the features; null, with an error: no memory. MeMemoryGive frees them. Within mcd_sampledEnter. */
 McdFeatures *mcd_sampledFeatures(const McdSampled *s);
-/* Tangent of the angle in which corners of a face are found, m per m that these are below the face. */
-static const double mcd_besideFlat = 1e-6;
 
 /* Sets rounding, extent, features, which are the caller's, and flatFaces. False, with features null: not finite, or
  * without extent, or, with an error, no memory. */

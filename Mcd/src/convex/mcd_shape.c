@@ -91,6 +91,10 @@ MeBool mcd_shapeHasRim(const McdShape *s) {
     return s->kind->rim && (!s->kind->isSampled || s->sampled->features->hasDisc);
 }
 
+double mcd_shapeNoise(const McdShape *s) {
+    return s->kind->isSampled ? s->sampled->noise : 0;
+}
+
 void mcd_shapeBounds(const McdShape *s, double low[3], double high[3]) {
     for (int i = 0; i < 3; i++) {
         double along[3] = {0, 0, 0}, point[3];
