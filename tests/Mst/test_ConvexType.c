@@ -1,6 +1,7 @@
 /* Convex shapes of a program, by their support function (McdConvexType.h), as bodies in a world. */
 #include "own_shapes.h"
 #include "universe.h"
+#include <stdatomic.h>
 
 static MeMatrix4 ground[20];
 static int grounds;
@@ -451,6 +452,106 @@ LOOP_TEST(what_is_dropped_goes_no_deeper_than_its_twin, 0, 6) {
                 fmax(deepest, isBox ? deepestDrop(g, &brickFunctions, &brick) : deepestDrop(g, &canFunctions, &can));
         assert_near(deepest, 0, .02 * size);
     }
+}
+
+/* ---- nearly flat, rounded, inconsistent -------------------------------------------------------------------------- */
+
+static atomic_long supportCalls;
+
+/* |x/a|^p + |y/b|^p + |z/c|^p = 1: nearly flat, nowhere quite. */
+typedef struct Super {
+    double half[3], power;
+} Super;
+
+static void MEAPI superSupport(const void *data, const double d[3], double point[3]) {
+    const Super *s = data;
+    const double dual = s->power / (s->power - 1);
+    double sum = 0;
+    atomic_fetch_add(&supportCalls, 1);
+    for (int i = 0; i < 3; i++)
+        sum += pow(fabs(s->half[i] * d[i]), dual);
+    for (int i = 0; i < 3; i++)
+        point[i] = copysign(s->half[i] * pow(fabs(s->half[i] * d[i]) / pow(sum, 1 / dual), 1 / (s->power - 1)), d[i]);
+}
+
+/* A box whose corners have a relative noise of 1e-7, and one with edges rounded by .02 m, in single precision. */
+static void MEAPI noisySupport(const void *data, const double d[3], double point[3]) {
+    const double *half = data, hash = sin(d[0] * 12.9898 + d[1] * 78.233 + d[2] * 37.719) * 43758.5453;
+    atomic_fetch_add(&supportCalls, 1);
+    for (int i = 0; i < 3; i++)
+        point[i] = copysign(half[i], d[i]) * (1 + 1e-7 * (hash - floor(hash)));
+}
+
+static void MEAPI floatSupport(const void *data, const double d[3], double point[3]) {
+    const double *half = data;
+    atomic_fetch_add(&supportCalls, 1);
+    for (int i = 0; i < 3; i++) {
+        const float along = (float)d[i];
+        point[i] = (double)(copysignf((float)half[i] - .02f, along) + .02f * along);
+    }
+}
+
+/* Any points. */
+static void MEAPI randomSupport(const void *data, const double d[3], double point[3]) {
+    const double *half = data, hash = sin(d[0] * 12.9898 + d[1] * 78.233 + d[2] * 37.719) * 43758.5453;
+    for (int i = 0; i < 3; i++)
+        point[i] = half[i] * (2 * fmod((hash - floor(hash)) * (i == 0 ? 1 : i == 1 ? 7919 : 104729), 1) - 1);
+}
+
+static McdGeometryID makeShape(McdConvexSupportFn support, size_t size, const void *data) {
+    const McdConvexFunctions functions = {.support = support};
+    return McdConvexCreate(u->frame, McdFrameworkRegisterConvexType(u->frame, "Shape", size, &functions), data);
+}
+
+/* Steps until all bodies are asleep; returns the support calls a step. */
+static long stepToSleep(int maxSteps) {
+    int steps = 0;
+    atomic_store(&supportCalls, 0);
+    while (MdtWorldGetEnabledBodies(u->world) > 0 && steps < maxSteps) {
+        universe_step(1);
+        steps++;
+    }
+    ck_assert_int_eq(MdtWorldGetEnabledBodies(u->world), 0);
+    return atomic_load(&supportCalls) / steps;
+}
+
+LOOP_TEST(towers_of_superellipsoids_fall_asleep, 0, 2) {
+    const Super s = {{.5, .4, .3}, _i ? 20 : 8};
+    begin(9.8, .6);
+    MdtContactParamsID params = MstBridgeGetContactParams(u->bridge, 0, 0);
+    MdtContactParamsSetRollingFriction(params, (MeReal).01);
+    MdtContactParamsSetSpinningFriction(params, (MeReal).01);
+    addFixed(McdPlaneCreate(u->frame), 0, 0, 0);
+    McdGeometryID g = makeShape(superSupport, sizeof s, &s);
+    for (int i = 0; i < 4; i++)
+        put(g, .02 * i, .03 * (i % 3), .32 + .62 * i);
+    ck_assert_int_le(stepToSleep(60), 1500);
+}
+
+LOOP_TEST(heaps_of_boxes_in_single_precision_fall_asleep, 0, 2) {
+    static const double half[3] = {.5, .4, .3};
+    begin(9.8, .6);
+    addFixed(McdPlaneCreate(u->frame), 0, 0, 0);
+    McdGeometryID g = makeShape(_i ? floatSupport : noisySupport, sizeof half, half);
+    for (int i = 0; i < 24; i++) {
+        const double turn = .7 * i;
+        McdModelID m = put(g, i % 3 * .8 - .8, i / 3 % 3 * .8 - .8, .9 + .9 * (i / 9));
+        McdModelDynamicsSetQuaternion(m, (MeReal)cos(turn), (MeReal)(.6 * sin(turn)), (MeReal)(.8 * sin(turn)), 0);
+    }
+    ck_assert_int_le(stepToSleep(600), _i ? 22000 : 2000);
+}
+
+TEST(points_of_no_shape_are_warned_of_and_have_no_mass) {
+    static const double half[3] = {.5, .5, .5};
+    MeMatrix4 at;
+    MeMatrix3 inertia;
+    MeReal volume;
+    begin(9.8, .6);
+    McdGeometryID g = makeShape(randomSupport, sizeof half, half);
+    assert_warned("not the farthest of one shape");
+    McdGeometryGetMassProperties(g, at, inertia, &volume);
+    assert_warned("not those of a solid");
+    ck_assert(volume == 0);
 }
 
 /* ---- change ------------------------------------------------------------------------------------------------------ */

@@ -468,6 +468,7 @@ static void addMass(const McdGeometry *g, McdMass *sum) {
     const McdHull *h = get(g)->hull;
     const McdMoments s = momentsOf(h, (double)get(g)->fatness);
     mcd_momentsMass(&s, h->centre, sum);
+    MEASSERT(mcd_isInertiaGood(sum));
 }
 
 MCD_DEFINE_GEOMETRY_TYPE(ConvexMesh, addMass)

@@ -58,6 +58,16 @@ static void MEAPI boundingSphere(const McdGeometryID g, MeVector3 center, MeReal
 
 /* ---- mass -------------------------------------------------------------------------------------------------------- */
 
+/* False, with a warning: the program's functions gave what no solid has. */
+static MeBool isSolid(const McdSampled *s, const McdMass *mass, MeBool isInRange) {
+    const MeBool isGood = isInRange && mcd_isInertiaGood(mass);
+    if (!isGood)
+        MeWarning(1,
+                  "McdFrameworkRegisterConvexType: the mass properties of %s are not those of a solid: there are none",
+                  s->type->name);
+    return isGood;
+}
+
 typedef struct Solid {
     McdMoments moments; /* about `centre` */
     double centre[3];
@@ -96,21 +106,17 @@ static MeBool massOfSamples(const McdSampled *s, McdMass *mass) {
     if (!(better.m > min) || !isfinite(better.m))
         return MEFALSE;
     mcd_momentsMass(&better, fine.centre, mass);
-    return METRUE;
+    return isSolid(s, mass, METRUE);
 }
 
 static MeBool massOfProgram(const McdSampled *s, McdMass *mass) {
     const MeProgramCall before = MeProgramEnterQuiet("McdFrameworkRegisterConvexType");
     s->type->functions.mass(s->data, &mass->volume, mass->centre, mass->inertia);
     MeProgramLeave(&before);
-    MeBool isGood = mass->volume > 0 && mcd_isInRange3(mass->centre) && mcd_isInertiaGood(mass);
+    MeBool isInRange = mass->volume > 0 && mcd_isInRange3(mass->centre);
     for (int i = 0; i < 3; i++)
-        isGood = isGood && mcd_isInRange3(mass->inertia[i]);
-    if (!isGood)
-        MeWarning(1,
-                  "McdFrameworkRegisterConvexType: the mass properties of %s are not those of a solid: there are none",
-                  s->type->name);
-    return isGood;
+        isInRange = isInRange && mcd_isInRange3(mass->inertia[i]);
+    return isSolid(s, mass, isInRange);
 }
 
 static MeI16 MEAPI massProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 inertia, MeReal *volume) {

@@ -216,8 +216,10 @@ static void addMass(const McdGeometry *g, McdMass *sum) {
         mcd_cross(normal, corner[1], corner[2]);
         mcd_momentsAddSimplex(&s, mcd_dot(corner[0], normal) / 6, mcd_constRows(corner), 4);
     }
-    if (s.m > 0)
+    if (s.m > 0) {
         mcd_momentsMass(&s, centre, sum);
+        MEASSERT(mcd_isInertiaGood(sum));
+    }
 }
 
 /* ---- triangles near a shape -------------------------------------------------------------------------------------- */

@@ -33,5 +33,4 @@ void mcd_momentsMass(const McdMoments *s, const double about[3], McdMass *mass) 
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++)
             mass->inertia[i][j] = (i == j ? trace : 0) - own.second[i][j];
-    MEASSERT(mcd_isInertiaGood(mass));
 }

@@ -1,6 +1,7 @@
 /* Contacts of a convex shape with a triangle along a given normal: clips the shape's face to the triangle. */
 #include "surface/mcd_mesh_stages_i.h"
 #include "convex/mcd_nearfield_i.h"
+#include "convex/mcd_sampled_i.h"
 
 /* ---- polygons ---------------------------------------------------------------------------------------------------- */
 
@@ -89,6 +90,11 @@ static MeU32 quantizedNormal(const double normal[3]) {
     return cell;
 }
 
+/* Only of a program's support function whose points contradict each other. */
+static MeBool isTooFar(const McdMeshQuery *q, double separation) {
+    return separation > q->margin + MCD_MESH_OVERLAP * q->shape.extent;
+}
+
 void mcd_meshAddContact(McdMeshQuery *q, const McdMeshTriangle *t, const double position[3], const double normal[3],
                         double separation, MeU32 feature, MeBool isCut) {
     McdMesh *mesh = q->mesh;
@@ -97,12 +103,16 @@ void mcd_meshAddContact(McdMeshQuery *q, const McdMeshTriangle *t, const double 
     mcd_scale(outward, normal, -1);
     if (!(size > 0) || !isfinite(size + separation + position[0] + position[1] + position[2]))
         return; /* coordinates near the largest number may overflow */
+    if (q->shape.kind->isSampled && isTooFar(q, separation)) {
+        mcd_sampledWarn(q->shape.sampled);
+        return;
+    }
     if (!mcd_meshReserveContacts(mesh, mesh->contactCount + 1))
         return;
     MEASSERT(t >= mesh->triangle && t < mesh->triangle + mesh->count);
     McdMeshContact *c = &mesh->contact[mesh->contactCount++];
     MEASSERT(mesh->contactCount <= mesh->contactMax);
-    MEASSERT(separation <= q->margin + MCD_MESH_OVERLAP * q->shape.extent);
+    MEASSERT(!isTooFar(q, separation));
     mcd_copy(c->position, position);
     mcd_copy(c->normal, normal);
     c->separation = separation;
