@@ -25,14 +25,19 @@ static double startEnergy(const MdtKeaSystem *s, int b) {
            (keaDot(body->velocity, body->velocity) / body->invMass + keaDot(body->angularMomentum, s->velocity[b].ang));
 }
 
-/* J: the work of the loads on body b in the step, along its displacement: bodies without joints do not move by u. */
+/* J: the work of the loads on body b in the step: with u, by which jointed bodies move, or along the displacement of
+ * others, which do not move by u. */
 static double workOfLoads(const MdtKeaSystem *s, int b) {
     const double *u = s->work->body[b].u;
-    double dv[3], dL[3], move[3];
-    keaSubtract(move, s->work->end[b].position, s->bodies[b]->position);
+    double dv[3], dL[3], mean[3];
+    keaCopy(mean, u);
+    if (!s->work->body[b].isTied) {
+        keaSubtract(mean, s->work->end[b].position, s->bodies[b]->position);
+        keaScale(mean, 1 / s->parameters.stepsize, mean);
+    }
     keaSubtract(dv, s->predicted[b].lin, s->bodies[b]->velocity);
     keaSubtract(dL, s->work->body[b].freeMomentum, s->bodies[b]->angularMomentum);
-    return keaDot(dv, move) / (s->parameters.stepsize * s->bodies[b]->invMass) + keaDot(dL, u + 3);
+    return keaDot(dv, mean) / s->bodies[b]->invMass + keaDot(dL, u + 3);
 }
 
 /* J: the work of springs, motors, moving surfaces and moving attachments in the step. */
