@@ -505,6 +505,11 @@ MEPUBLIC MeBool MEAPI MdtKeaFlies(MdtKeaSystem *system);
  */
 MEPUBLIC double MEAPI MdtKeaFly(MdtKeaSystem *system, double least, int maxImpacts);
 
+/** m: the vector from the centre of a round surface, or of a rim (@a rim > 0, about @a axis), to its point that is
+ *  farthest along the unit vector @a outward. 0 for a flat surface, whose radius and rim are 0. */
+MEPUBLIC void MEAPI MdtKeaOffsetToSurface(double radius, double rim, const double axis[3], const double outward[3],
+                                          double offset[3]);
+
 /** The pose of a mover after @a time seconds of its step. */
 MEPUBLIC void MEAPI MdtKeaMoverPose(const MdtKeaMover *mover, double time, MdtKeaTransformation *pose);
 

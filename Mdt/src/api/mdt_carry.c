@@ -3,7 +3,6 @@
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "api/mdt_api_i.h"
-#include <float.h>
 #include <string.h>
 
 /* A rigid motion: x -> R (x - from) + to. */
@@ -57,19 +56,13 @@ static void rotateNormals(MdtManifold *block, const Motion *second) {
             rotateNormal(second, extra->normal);
 }
 
-/* The vector from the centre of a round side, or of its rim, to the point that is farthest along the outward normal; 0
- * for a flat one. turn: the rotation of a rim's axis. */
+/* MdtKeaOffsetToSurface of side k. turn: the rotation of a rim's axis. */
 static void offsetToSurface(const MdtPoint *p, int k, const double normal[3], const double turn[3][3], double out[3]) {
-    double own[3], axis[3];
+    double own[3], axis[3], outward[3];
     const double rim = mdt_pointRim(p, k, own);
-    keaScale(out, k == 0 ? -1 : 1, normal);
-    if (!(rim > 0)) {
-        keaScale(out, (double)mdt_pointRadius(p, k), out);
-        return;
-    }
     keaApply(axis, turn, own);
-    keaAddScaled(out, -keaDot(out, axis), axis);
-    keaScale(out, rim / keaMax(keaLength(out), DBL_MIN), out);
+    keaScale(outward, k == 0 ? -1 : 1, normal);
+    MdtKeaOffsetToSurface((double)mdt_pointRadius(p, k), rim, axis, outward, out);
 }
 
 /* Moves the two surface points of a contact with their bodies, those of round sides with their centres. They lie half

@@ -90,12 +90,19 @@ static double depthWithinRounding(const MdtKeaSystem *s, const KeaContact *c) {
  * the axis a, to its farthest point along o, r (o - a (a·o)) / |..|, or 0 if it lies flat; 0 for corners, edges and
  * faces. */
 static void offsetToSurface(const KeaContact *c, int k, const double axis[3], double out[3]) {
-    keaScale(out, k == 0 ? -1 : 1, c->normal);
-    if (c->circle[k] > 0) {
-        keaAddScaled(out, -keaDot(out, axis) / keaDot(axis, axis), axis);
-        keaScale(out, c->circle[k] / fmax(keaLength(out), DBL_MIN), out);
+    double outward[3];
+    keaScale(outward, k == 0 ? -1 : 1, c->normal);
+    MdtKeaOffsetToSurface(c->manifold->radius[k], c->circle[k], axis, outward, out);
+}
+
+void MEAPI MdtKeaOffsetToSurface(double radius, double rim, const double axis[3], const double outward[3],
+                                 double offset[3]) {
+    keaCopy(offset, outward);
+    if (rim > 0) {
+        keaAddScaled(offset, -keaDot(offset, axis) / keaDot(axis, axis), axis);
+        keaScale(offset, rim / fmax(keaLength(offset), DBL_MIN), offset);
     } else {
-        keaScale(out, c->manifold->radius[k], out);
+        keaScale(offset, radius, offset);
     }
 }
 

@@ -9,7 +9,7 @@ FACES = 'faces 4 6 8 12 20 25 96 18 '
 
 def check():
     """Each hull has the faces it should have; the heap comes to rest and sleeps, not through the floor, twice."""
-    for frames, keys in (3000, ''), (3000, '3@1500'):  # a pebble rolls to and fro for half a minute
+    for frames, keys in (1500, ''), (3000, '3@1500'):
         line = status(frames, keys)
         assert FACES in line, line
         assert figure(line, 'awake') == 0 and figure(line, 'motion') == 0, line
