@@ -65,18 +65,22 @@ MEPUBLIC MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionP
 /** m, world frame, of the frame's origin. The body is there at once: it keeps its velocity, pushes nothing on the way,
  *  and wakes. MdtBodyMoveTo moves a kinematic body instead. */
 MEPUBLIC void MEAPI MdtBodySetPosition(const MdtBodyID b, const MeReal x, const MeReal y, const MeReal z);
+/** m, world frame: the present position of the frame's origin. Default 0. */
 MEPUBLIC void MEAPI MdtBodyGetPosition(const MdtBodyID b, MeVector3 p);
 /** m, > 0: the bound of the centre of mass's coordinates, in both directions. Beyond Karma. */
 MEPUBLIC MeReal MEAPI MdtBodyGetPositionBound(const MdtBodyID b);
 /** (qw, qx, qy, qz), body to world; normalized here. The frame's origin does not move. */
 MEPUBLIC void MEAPI MdtBodySetQuaternion(const MdtBodyID b, const MeReal qw, const MeReal qx, const MeReal qy,
                                          const MeReal qz);
+/** (qw, qx, qy, qz), body to world, of length 1. Default (1, 0, 0, 0). */
 MEPUBLIC void MEAPI MdtBodyGetQuaternion(const MdtBodyID b, MeVector4 q);
 /** @a R maps body coordinates to world coordinates: y = R x. It must be a rotation to 1 %, and is orthonormalized. */
 MEPUBLIC void MEAPI MdtBodySetOrientation(const MdtBodyID b, const MeMatrix3 R);
+/** The rotation, body to world: y = R x. */
 MEPUBLIC void MEAPI MdtBodyGetOrientation(const MdtBodyID b, MeMatrix3 R);
 /** Position (m) and rotation at once, as MdtBodySetPosition and MdtBodySetOrientation; a scale is refused. */
 MEPUBLIC void MEAPI MdtBodySetTransform(const MdtBodyID b, const MeMatrix4 tm);
+/** Copies the frame's transform in the world: rows 0-2 are its axes, row 3 its origin, m. */
 MEPUBLIC void MEAPI MdtBodyGetTransform(const MdtBodyID b, MeMatrix4 m);
 /** Pointer to the transform, which each step updates; valid as long as the body. Read only. */
 MEPUBLIC MeMatrix4Ptr MEAPI MdtBodyGetTransformPtr(const MdtBodyID b);
@@ -88,12 +92,15 @@ MEPUBLIC MeMatrix4Ptr MEAPI MdtBodyGetTransformPtr(const MdtBodyID b);
  *  @{ */
 /** m, in the body's frame. Shapes and attachments of joints stay where they are. */
 MEPUBLIC void MEAPI MdtBodySetCenterOfMassRelativePosition(const MdtBodyID b, const MeVector3 pos);
+/** m, in the body's frame; 0 by default. */
 MEPUBLIC void MEAPI MdtBodyGetCenterOfMassRelativePosition(const MdtBodyID b, MeVector3 pos);
 /** The same with the axes of the inertia tensor; rotation as for MdtBodySetOrientation. */
 MEPUBLIC void MEAPI MdtBodySetCenterOfMassRelativeTransform(const MdtBodyID b, const MeMatrix4 t);
+/** The pose of the centre of mass in the body's frame; the unit matrix by default. */
 MEPUBLIC void MEAPI MdtBodyGetCenterOfMassRelativeTransform(const MdtBodyID b, MeMatrix4 t);
 /** m, world frame: position of the centre of mass. Setting it moves the whole body. */
 MEPUBLIC void MEAPI MdtBodySetCenterOfMassPosition(const MdtBodyID b, const MeVector3 pos);
+/** m, world frame: the present position of the centre of mass. */
 MEPUBLIC void MEAPI MdtBodyGetCenterOfMassPosition(const MdtBodyID b, MeVector3 pos);
 /** Pointer to the transform of the centre of mass, as MdtBodyGetTransformPtr. */
 MEPUBLIC MeMatrix4Ptr MEAPI MdtBodyGetCenterOfMassTransformPtr(const MdtBodyID b);
@@ -106,11 +113,13 @@ MEPUBLIC MeMatrix4Ptr MEAPI MdtBodyGetCenterOfMassTransformPtr(const MdtBodyID b
  *  @{ */
 /** m/s, world frame. It wakes a sleeping body. */
 MEPUBLIC void MEAPI MdtBodySetLinearVelocity(const MdtBodyID b, const MeReal dx, const MeReal dy, const MeReal dz);
+/** m/s, world frame: the present velocity of the centre of mass. Default 0. */
 MEPUBLIC void MEAPI MdtBodyGetLinearVelocity(const MdtBodyID b, MeVector3 v);
 /** Pointer to the velocity, m/s, for reading and writing; valid as long as the body. */
 MEPUBLIC MeReal *MEAPI MdtBodyGetLinearVelocityPtr(const MdtBodyID b);
 /** rad/s, world frame, right-hand rule. */
 MEPUBLIC void MEAPI MdtBodySetAngularVelocity(const MdtBodyID b, const MeReal wx, const MeReal wy, const MeReal wz);
+/** rad/s, world frame. Default 0. */
 MEPUBLIC void MEAPI MdtBodyGetAngularVelocity(const MdtBodyID b, MeVector3 v);
 /** As MdtBodyGetLinearVelocityPtr, rad/s. */
 MEPUBLIC MeReal *MEAPI MdtBodyGetAngularVelocityPtr(const MdtBodyID b);
@@ -136,6 +145,7 @@ MEPUBLIC MeReal MEAPI MdtBodyGetKineticEnergy(const MdtBodyID b);
  *  ...AngularVelocity), which stay as they are, or by MdtBodyMoveTo. With MEFALSE it obeys forces again, with its mass.
  *  Its constraints remain; its contacts are found anew. In a callback it takes effect when the stage ends. */
 MEPUBLIC void MEAPI MdtBodySetKinematic(const MdtBodyID b, const MeBool kinematic);
+/** MEFALSE by default. */
 MEPUBLIC MeBool MEAPI MdtBodyIsKinematic(const MdtBodyID b);
 /**
  * Moves a kinematic body to a pose that it reaches at the end of the next step, with the velocities that follow:
@@ -188,21 +198,27 @@ MEPUBLIC int MEAPI MdtBodyGetLockedAxes(const MdtBodyID b);
  *  @{ */
 /** kg, > 0. The inertia tensor does not change with it: set both. */
 MEPUBLIC void MEAPI MdtBodySetMass(const MdtBodyID b, const MeReal mass);
+/** kg. Default 1, times the world's mass scale. */
 MEPUBLIC MeReal MEAPI MdtBodyGetMass(const MdtBodyID b);
 /** kg m², about the centre of mass, in its axes; symmetric and positive definite, with moments in the range of single
  *  precision. MdtUtilities.h computes tensors of some shapes. */
 MEPUBLIC void MEAPI MdtBodySetInertiaTensor(const MdtBodyID b, const MeMatrix3 i);
+/** kg m², as set; by default 0.4 times the unit matrix, mass scale and length scale squared. */
 MEPUBLIC void MEAPI MdtBodyGetInertiaTensor(const MdtBodyID b, MeMatrix3 i);
 /** Sets the tensor to @a i times the unit matrix. */
 MEPUBLIC void MEAPI MdtBodySetSphericalInertiaTensor(const MdtBodyID b, const MeReal i);
 /** Use the full tensor (the default), or a third of its trace times the unit matrix, as Karma 1.x did (Dynamics guide
  *  ch. 5, "Inertia Problems"): cheaper, but independent of the body's shape. */
 MEPUBLIC void MEAPI MdtBodyEnableNonSphericalInertia(const MdtBodyID b);
+/** Uses a third of the tensor's trace; MdtBodyGetInertiaTensor still returns the tensor. */
 MEPUBLIC void MEAPI MdtBodyDisableNonSphericalInertia(const MdtBodyID b);
+/** METRUE by default. */
 MEPUBLIC MeBool MEAPI MdtBodyNonSphericalInertiaIsEnabled(const MdtBodyID b);
 /** While enabled (the default, physically correct), free rotation conserves angular momentum; else angular velocity. */
 MEPUBLIC void MEAPI MdtBodyEnableCoriolisForce(const MdtBodyID b);
+/** Free rotation keeps the angular velocity, so that energy and angular momentum change. */
 MEPUBLIC void MEAPI MdtBodyDisableCoriolisForce(const MdtBodyID b);
+/** METRUE by default. */
 MEPUBLIC MeBool MEAPI MdtBodyCoriolisForceIsEnabled(const MdtBodyID b);
 /** @} */
 
@@ -234,9 +250,11 @@ MEPUBLIC void MEAPI MdtBodyAddImpulseAtPosition(const MdtBodyID b, const MeReal 
                                                 const MeReal px, const MeReal py, const MeReal pz);
 /** The sum of the forces [N], or torques [N m], added since the last step; without impulses, gravity and joints. */
 MEPUBLIC void MEAPI MdtBodyGetForce(const MdtBodyID b, MeVector3 v);
+/** N m, world frame, about the centre of mass: torques, and moments of forces at positions. */
 MEPUBLIC void MEAPI MdtBodyGetTorque(const MdtBodyID b, MeVector3 v);
 /** Clears the forces and torques, or the impulses, added since the last step. */
 MEPUBLIC void MEAPI MdtBodyResetForces(const MdtBodyID b);
+/** Clears the impulses added since the last step; forces remain. */
 MEPUBLIC void MEAPI MdtBodyResetImpulses(const MdtBodyID b);
 /** @} */
 
@@ -245,25 +263,33 @@ MEPUBLIC void MEAPI MdtBodyResetImpulses(const MdtBodyID b);
 /** How much of the world's gravity acts on the body: 0 none, negative ones push it up. Default 1. It wakes a sleeping
  *  body. Beyond Karma. */
 MEPUBLIC void MEAPI MdtBodySetGravityFactor(const MdtBodyID b, const MeReal factor);
+/** 1 by default. */
 MEPUBLIC MeReal MEAPI MdtBodyGetGravityFactor(const MdtBodyID b);
 /** The largest speed of the centre of mass (m/s), or of the rotation (rad/s), >= 0: a step, or a part of one in
  *  continuous motion, ends with the velocity scaled down to it. The step itself moves the body as without a cap, so a
  *  body that falls at its cap is faster by g h / 2 in the mean over a step of h seconds, and joints feel the cap in the
  *  next step. Kinematic bodies have no cap. Default MEINFINITY: none. Beyond Karma. */
 MEPUBLIC void MEAPI MdtBodySetMaxLinearSpeed(const MdtBodyID b, const MeReal max);
+/** m/s; MEINFINITY, the default: no cap. */
 MEPUBLIC MeReal MEAPI MdtBodyGetMaxLinearSpeed(const MdtBodyID b);
+/** The same for the rotation, rad/s. */
 MEPUBLIC void MEAPI MdtBodySetMaxAngularSpeed(const MdtBodyID b, const MeReal max);
+/** rad/s; MEINFINITY, the default: no cap. */
 MEPUBLIC MeReal MEAPI MdtBodyGetMaxAngularSpeed(const MdtBodyID b);
 /** Damping d [1/s], >= 0: without other loads the velocity decays as exp(-d t). Default 0. */
 MEPUBLIC void MEAPI MdtBodySetLinearVelocityDamping(const MdtBodyID b, const MeReal d);
+/** 1/s; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtBodyGetLinearVelocityDamping(const MdtBodyID b);
+/** The same for the angular velocity, 1/s. */
 MEPUBLIC void MEAPI MdtBodySetAngularVelocityDamping(const MdtBodyID b, const MeReal d);
+/** 1/s; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtBodyGetAngularVelocityDamping(const MdtBodyID b);
 /** The axis (world frame, not zero; normalized here) of a body's fast spin. It has no effect, since Kea integrates
  *  every rotation exactly; it exists for programs written for Karma (Dynamics guide ch. 5). */
 MEPUBLIC void MEAPI MdtBodySetFastSpinAxis(const MdtBodyID b, const MeReal x, const MeReal y, const MeReal z);
 /** The axis; (0, 1, 0) when none is set. */
 MEPUBLIC void MEAPI MdtBodyGetFastSpinAxis(const MdtBodyID b, MeVector3 v);
+/** Forgets the axis of MdtBodySetFastSpinAxis. */
 MEPUBLIC void MEAPI MdtBodySetNoFastSpinAxis(const MdtBodyID b);
 /** @} */
 
@@ -273,14 +299,17 @@ MEPUBLIC void MEAPI MdtBodySetNoFastSpinAxis(const MdtBodyID b);
 MEPUBLIC MdtWorldID MEAPI MdtBodyGetWorld(const MdtBodyID b);
 /** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI MdtBodySetUserData(const MdtBodyID b, void *d);
+/** The pointer of MdtBodySetUserData; null by default. */
 MEPUBLIC void *MEAPI MdtBodyGetUserData(const MdtBodyID b);
 /** The body's representation in collision detection, owned by the Simulation Toolkit (McdModelSetBody). Default null.
  *  */
 MEPUBLIC void MEAPI MdtBodySetModel(const MdtBodyID b, void *model);
+/** The pointer of MdtBodySetModel, in a universe the McdModelID; null by default. */
 MEPUBLIC void *MEAPI MdtBodyGetModel(const MdtBodyID b);
 /** Bodies are simulated in the order of their keys (0 .. 2^31-1), bodies of equal keys in the order of creation
  *  (Dynamics guide ch. 4, "Sort Keys"). Default 0. A negative key gets a warning. */
 MEPUBLIC void MEAPI MdtBodySetSortKey(const MdtBodyID b, const MeI32 key);
+/** 0 by default. */
 MEPUBLIC MeI32 MEAPI MdtBodyGetSortKey(const MdtBodyID b);
 /** The number of the body's partition in the last step; -1: it was not simulated. */
 MEPUBLIC int MEAPI MdtBodyGetPartition(const MdtBodyID b);
@@ -288,6 +317,7 @@ MEPUBLIC int MEAPI MdtBodyGetPartition(const MdtBodyID b);
 MEPUBLIC int MEAPI MdtBodyGetPartitionSize(const MdtBodyID b);
 /** s: how long the body may move before it could hit something, for MdtWorldStepSafeTime. Default MEINFINITY. */
 MEPUBLIC void MEAPI MdtBodySetSafeTime(const MdtBodyID b, const MeReal t);
+/** s; MEINFINITY by default. */
 MEPUBLIC MeReal MEAPI MdtBodyGetSafeTime(const MdtBodyID b);
 /** s: the time by which the body is behind its world, after MdtWorldStepSafeTime, before MdtWorldStepRest. Beyond
  *  Karma. */
@@ -298,6 +328,7 @@ MEPUBLIC MeReal MEAPI MdtBodyGetPart(const MdtBodyID b);
 MEPUBLIC void MEAPI MdtBodyLog(const MdtBodyID b);
 /** Iterate over all bodies of a world, in the order of simulation; null after the last. */
 MEPUBLIC MdtBodyID MEAPI MdtBodyGetFirst(const MdtWorldID w);
+/** The body after @a b; null after the last. */
 MEPUBLIC MdtBodyID MEAPI MdtBodyGetNext(const MdtBodyID b);
 /** @} */
 
@@ -306,16 +337,21 @@ MEPUBLIC MdtBodyID MEAPI MdtBodyGetNext(const MdtBodyID b);
 /** Iterate over all constraints that are attached to the body, enabled or not, contacts included: @a c is the one
  *  before. Null after the last. */
 MEPUBLIC MdtConstraintID MEAPI MdtBodyGetFirstConstraint(MdtBodyID b);
+/** Null, with a warning, if @a c is not attached to the body. */
 MEPUBLIC MdtConstraintID MEAPI MdtBodyGetNextConstraint(MdtBodyID b, MdtConstraintID c);
 /** Iterate over the contacts of the body; null after the last. */
 MEPUBLIC MdtContactID MEAPI MdtBodyGetFirstContact(MdtBodyID b);
+/** The contact after @a c; null, with a warning, if @a c is not attached to the body. */
 MEPUBLIC MdtContactID MEAPI MdtBodyGetNextContact(MdtBodyID b, MdtContactID c);
 /** Calls @a cb for each constraint; it may destroy that constraint and others (docs/simulation.md, "Callbacks"). */
 MEPUBLIC void MEAPI MdtBodyForAllConstraints(const MdtBodyID b, MdtConstraintIteratorCBPtr cb, void *ccbdata);
 /** Destroy, or disable, all constraints of the body, or only its contacts. */
 MEPUBLIC void MEAPI MdtBodyDestroyConstraints(const MdtBodyID b);
+/** Destroys its contacts and contact groups, those of a universe's bridge included; joints remain. */
 MEPUBLIC void MEAPI MdtBodyDestroyContacts(const MdtBodyID b);
+/** Disables all joints, contacts and contact groups of the body; they remain attached. */
 MEPUBLIC void MEAPI MdtBodyDisableConstraints(const MdtBodyID b);
+/** Disables its contacts and contact groups; joints act on. */
 MEPUBLIC void MEAPI MdtBodyDisableContacts(const MdtBodyID b);
 /** @} */
 

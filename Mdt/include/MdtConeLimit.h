@@ -23,13 +23,18 @@ MEPUBLIC MdtConstraintID MEAPI MdtConeLimitQuaConstraint(const MdtConeLimitID j)
 MEPUBLIC MdtConeLimitID MEAPI MdtConstraintDCastConeLimit(const MdtConstraintID c);
 /** The angle between the cone's axis and its surface, rad, clamped to 0 .. pi. */
 MEPUBLIC void MEAPI MdtConeLimitSetConeHalfAngle(const MdtConeLimitID j, const MeReal theta);
+/** rad; pi, the default: no limit. */
 MEPUBLIC MeReal MEAPI MdtConeLimitGetConeHalfAngle(const MdtConeLimitID j);
 /** @name Stiffness [N m/rad] and damping [N m s/rad] beyond the cone, at least 0
  *  Both are MEINFINITY by default. The limit is hard, without rebound, as long as one of them is.
  *  @{ */
+/** N m/rad beyond the cone. A negative number gets a warning and changes nothing. */
 MEPUBLIC void MEAPI MdtConeLimitSetStiffness(const MdtConeLimitID j, const MeReal kp);
+/** N m/rad; MEINFINITY by default. */
 MEPUBLIC MeReal MEAPI MdtConeLimitGetStiffness(const MdtConeLimitID j);
+/** N m s/rad beyond the cone. A negative number gets a warning and changes nothing. */
 MEPUBLIC void MEAPI MdtConeLimitSetDamping(const MdtConeLimitID j, const MeReal kd);
+/** N m s/rad; MEINFINITY by default. */
 MEPUBLIC MeReal MEAPI MdtConeLimitGetDamping(const MdtConeLimitID j);
 /** @} */
 /** Sets the joint's axes on one body, in that body's centre-of-mass frame: primary (px, py, pz), ortho (ox, oy, oz). */
@@ -44,28 +49,50 @@ MEPUBLIC void MEAPI MdtConeLimitGetAxes(const MdtConeLimitID j, MeVector3 primar
  *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
  *  of the last step.
  *  @{ */
+/** Disables and destroys it; its sleeping bodies wake. The handle is invalid from then on. */
 MEPUBLIC void MEAPI MdtConeLimitDestroy(const MdtConeLimitID j);
+/** Lets it act. Without a body: a warning, and it stays disabled. */
 MEPUBLIC void MEAPI MdtConeLimitEnable(const MdtConeLimitID j);
+/** Ends its effect and wakes its sleeping bodies. It stays attached. */
 MEPUBLIC void MEAPI MdtConeLimitDisable(const MdtConeLimitID j);
+/** False for a new one, after MdtConeLimitDisable, and after a break. */
 MEPUBLIC MeBool MEAPI MdtConeLimitIsEnabled(const MdtConeLimitID j);
+/** Attaches it; at most one body may be null, the world. Place the bodies before; disable it for a change. */
 MEPUBLIC void MEAPI MdtConeLimitSetBodies(const MdtConeLimitID j, const MdtBodyID b1, const MdtBodyID b2);
+/** The body of index 0 or 1. Null: the world, or not attached; another index also gets a warning. */
 MEPUBLIC MdtBodyID MEAPI MdtConeLimitGetBody(const MdtConeLimitID j, const unsigned int bodyindex);
+/** N, world frame: on the body of index 0 or 1, at its centre of mass, in the last step; 0 before the first. */
 MEPUBLIC void MEAPI MdtConeLimitGetForce(const MdtConeLimitID j, const unsigned int bodyindex, MeVector3 force);
+/** N m, world frame: on that body about its centre of mass, with the moment of MdtConeLimitGetForce. */
 MEPUBLIC void MEAPI MdtConeLimitGetTorque(const MdtConeLimitID j, const unsigned int bodyindex, MeVector3 torque);
+/** The world that owns it; null, with a warning, for a bad handle. */
 MEPUBLIC MdtWorldID MEAPI MdtConeLimitGetWorld(const MdtConeLimitID j);
+/** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI MdtConeLimitSetUserData(const MdtConeLimitID j, void *data);
+/** The pointer of MdtConeLimitSetUserData; null if none was set. */
 MEPUBLIC void *MEAPI MdtConeLimitGetUserData(const MdtConeLimitID j);
+/** 0 .. 2^31 - 1, default 0: lower keys are simulated first, equal ones in the order of creation. */
 MEPUBLIC void MEAPI MdtConeLimitSetSortKey(const MdtConeLimitID j, const MeI32 key);
+/** The key of MdtConeLimitSetSortKey; 0 for a bad handle, with a warning. */
 MEPUBLIC MeI32 MEAPI MdtConeLimitGetSortKey(const MdtConeLimitID j);
+/** m, world frame. It has no effect: a cone limit needs no position. */
 MEPUBLIC void MEAPI MdtConeLimitSetPosition(const MdtConeLimitID j, const MeReal x, const MeReal y, const MeReal z);
+/** m, world frame: the point's present place on the first body; on the second one, if the first is the world. */
 MEPUBLIC void MEAPI MdtConeLimitGetPosition(const MdtConeLimitID j, MeVector3 position);
+/** World frame, not zero, normalized here: one axis for both bodies, whose angle is 0 now. Default: each body's x-axis.
+ *  */
 MEPUBLIC void MEAPI MdtConeLimitSetAxis(const MdtConeLimitID j, const MeReal x, const MeReal y, const MeReal z);
+/** Unit vector, world frame: the axis at present on the first body; on the second one, if the first is the world. */
 MEPUBLIC void MEAPI MdtConeLimitGetAxis(const MdtConeLimitID j, MeVector3 axis);
+/** World frame: primary axis (px, py, pz) and second axis of both bodies. They are normalized, the second one is made
+ *  orthogonal; parallel ones get a warning and change nothing. */
 MEPUBLIC void MEAPI MdtConeLimitSetAxes(const MdtConeLimitID j, const MeReal px, const MeReal py, const MeReal pz,
                                         const MeReal ox, const MeReal oy, const MeReal oz);
+/** The same for the body of index 0 or 1 alone, if the limited angle is not to be 0 in the present poses. */
 MEPUBLIC void MEAPI MdtConeLimitBodySetAxes(const MdtConeLimitID j, const unsigned int bodyindex, const MeReal px,
                                             const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
                                             const MeReal oz);
+/** Unit vectors, world frame: the present axes of the body of index 0 or 1. */
 MEPUBLIC void MEAPI MdtConeLimitBodyGetAxes(const MdtConeLimitID j, const unsigned int bodyindex, MeVector3 primary,
                                             MeVector3 ortho);
 /** @} */

@@ -55,6 +55,7 @@ MEPUBLIC void MEAPI MdtConstraintBodyGetPosition(const MdtConstraintID c, const 
 /** The same, m, in the frame of that body's centre of mass; of the world, if the body is null. */
 MEPUBLIC void MEAPI MdtConstraintBodySetPositionRel(const MdtConstraintID c, const unsigned int bodyindex,
                                                     const MeReal x, const MeReal y, const MeReal z);
+/** m, in the frame of that body's centre of mass; 0 by default. */
 MEPUBLIC void MEAPI MdtConstraintBodyGetPositionRel(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p);
 
 /** The primary axis for both bodies, normalized here. The second axis is chosen arbitrarily. */
@@ -70,12 +71,14 @@ MEPUBLIC void MEAPI MdtConstraintGetAxes(const MdtConstraintID c, MeVector3 p, M
 MEPUBLIC void MEAPI MdtConstraintBodySetAxes(const MdtConstraintID c, const unsigned int bodyindex, const MeReal px,
                                              const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
                                              const MeReal oz);
+/** Unit vectors, world frame: the present primary and second axis of the body of index 0 or 1. Either may be null. */
 MEPUBLIC void MEAPI MdtConstraintBodyGetAxes(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p,
                                              MeVector3 o);
 /** The same, in the frame of that body's centre of mass; of the world, if the body is null. */
 MEPUBLIC void MEAPI MdtConstraintBodySetAxesRel(const MdtConstraintID c, const unsigned int bodyindex, const MeReal px,
                                                 const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
                                                 const MeReal oz);
+/** Unit vectors in the frame of that body's centre of mass; by default x and y for most joints. */
 MEPUBLIC void MEAPI MdtConstraintBodyGetAxesRel(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p,
                                                 MeVector3 o);
 /** The present primary axis only. */
@@ -85,9 +88,12 @@ MEPUBLIC void MEAPI MdtConstraintGetAxis(const MdtConstraintID c, MeVector3 axis
 /** Deprecated names of the guides. */
 MEPUBLIC void MEAPI MdtConstraintSetBothAxis(const MdtConstraintID c, const MeReal px, const MeReal py, const MeReal pz,
                                              const MeReal ox, const MeReal oy, const MeReal oz);
+/** MdtConstraintGetAxes. */
 MEPUBLIC void MEAPI MdtConstraintGetBothAxes(const MdtConstraintID c, MeVector3 p, MeVector3 o);
+/** MdtConstraintBodyGetAxes. */
 MEPUBLIC void MEAPI MdtConstraintBodyGetBothAxes(const MdtConstraintID c, const unsigned int bodyindex, MeVector3 p,
                                                  MeVector3 o);
+/** MdtConstraintBodySetAxes. */
 MEPUBLIC void MEAPI MdtConstraintBodySetBothAxis(const MdtConstraintID c, const unsigned int bodyindex, const MeReal px,
                                                  const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
                                                  const MeReal oz);
@@ -112,7 +118,9 @@ MEPUBLIC int MEAPI MdtConstraintGetRowCount(const MdtConstraintID c);
 /** Break limits: the largest force [N] and torque [N m], >= 0; MEINFINITY, the default: unbreakable. Contacts and
  *  contact groups get a warning, and do not break. */
 MEPUBLIC void MEAPI MdtConstraintSetBreakLimits(const MdtConstraintID c, const MeReal force, const MeReal torque);
+/** N; MEINFINITY, the default, and for contacts: unbreakable. */
 MEPUBLIC MeReal MEAPI MdtConstraintGetBreakForce(const MdtConstraintID c);
+/** N m; MEINFINITY, the default, and for contacts: unbreakable. */
 MEPUBLIC MeReal MEAPI MdtConstraintGetBreakTorque(const MdtConstraintID c);
 /** The torque [N m] on the body of index 0 or 1 about the joint's position, without the moment of the force. The break
  *  limit applies to it. */
@@ -132,6 +140,7 @@ MEPUBLIC void MEAPI MdtConstraintGetJointTorque(const MdtConstraintID c, const u
  * world, which has no model: see McdModelSetFilter. Contacts and contact groups get a warning.
  */
 MEPUBLIC void MEAPI MdtConstraintSetBodiesCollide(const MdtConstraintID c, const MeBool collide);
+/** METRUE by default, and for contacts. */
 MEPUBLIC MeBool MEAPI MdtConstraintGetBodiesCollide(const MdtConstraintID c);
 /** @} */
 
@@ -139,11 +148,15 @@ MEPUBLIC MeBool MEAPI MdtConstraintGetBodiesCollide(const MdtConstraintID c);
  *  The velocity of the world at the attachment, for moving platforms and belts: m/s, and rad/s about the world's
  *  origin. Default 0. No effect between two bodies, nor while the program moves the model without a body.
  *  @{ */
+/** m/s, world frame. Numbers that are not finite get a warning and change nothing. */
 MEPUBLIC void MEAPI MdtConstraintSetWorldLinearVelocity(const MdtConstraintID c, const MeReal vx, const MeReal vy,
                                                         const MeReal vz);
+/** m/s; 0 by default. */
 MEPUBLIC void MEAPI MdtConstraintGetWorldLinearVelocity(const MdtConstraintID c, MeVector3 lv);
+/** rad/s about the world's origin: its velocity at the attachment is the cross product with the position. */
 MEPUBLIC void MEAPI MdtConstraintSetWorldAngularVelocity(const MdtConstraintID c, const MeReal ax, const MeReal ay,
                                                          const MeReal az);
+/** rad/s; 0 by default. */
 MEPUBLIC void MEAPI MdtConstraintGetWorldAngularVelocity(const MdtConstraintID c, MeVector3 av);
 /** @} */
 
@@ -153,12 +166,15 @@ MEPUBLIC void MEAPI MdtConstraintGetWorldAngularVelocity(const MdtConstraintID c
 MEPUBLIC MdtWorldID MEAPI MdtConstraintGetWorld(const MdtConstraintID c);
 /** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI MdtConstraintSetUserData(const MdtConstraintID c, void *d);
+/** The pointer of MdtConstraintSetUserData; null by default. */
 MEPUBLIC void *MEAPI MdtConstraintGetUserData(const MdtConstraintID c);
 /** Like MdtBodySetSortKey. */
 MEPUBLIC void MEAPI MdtConstraintSetSortKey(const MdtConstraintID c, MeI32 key);
+/** 0 by default. */
 MEPUBLIC MeI32 MEAPI MdtConstraintGetSortKey(const MdtConstraintID c);
 /** Iterate over all constraints of a world, in the order of simulation; null after the last. */
 MEPUBLIC MdtConstraintID MEAPI MdtConstraintGetFirst(const MdtWorldID w);
+/** The constraint after @a c; a group is followed by its contacts. */
 MEPUBLIC MdtConstraintID MEAPI MdtConstraintGetNext(const MdtConstraintID c);
 /** @} */
 

@@ -50,12 +50,15 @@ MEPUBLIC MdtContactID MEAPI MdtConstraintDCastContact(const MdtConstraintID c);
  *  @{ */
 /** m, world frame. */
 MEPUBLIC void MEAPI MdtContactSetPosition(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z);
+/** m, world frame; 0 by default. */
 MEPUBLIC void MEAPI MdtContactGetPosition(const MdtContactID c, MeVector3 v);
 /** Normalized here; a zero normal gets a warning. A primary direction that was set is projected on the new plane. */
 MEPUBLIC void MEAPI MdtContactSetNormal(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z);
+/** Unit vector, world frame: the first body is pushed along it. Default (0, 1, 0). */
 MEPUBLIC void MEAPI MdtContactGetNormal(const MdtContactID c, MeVector3 v);
 /** m; positive for an overlap. Negative for a gap: the contact lets the bodies close the gap, but not overlap. */
 MEPUBLIC void MEAPI MdtContactSetPenetration(const MdtContactID c, const MeReal p);
+/** m; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtContactGetPenetration(const MdtContactID c);
 /**
  * Position, m, and penetration, m, computed in double between bodies whose transforms were read from
@@ -69,6 +72,7 @@ MEPUBLIC void MEAPI MdtContactSetExact(const MdtContactID c, const double positi
  * with the bodies.
  */
 MEPUBLIC void MEAPI MdtContactSetRadius(const MdtContactID c, const unsigned int bodyindex, const MeReal radius);
+/** m, of the body of index 0 or 1; 0, the default: none. */
 MEPUBLIC MeReal MEAPI MdtContactGetRadius(const MdtContactID c, const unsigned int bodyindex);
 /**
  * The body touches with the point of a circle that lies farthest along the normal, as the rims of coins do: radius, m,
@@ -78,6 +82,7 @@ MEPUBLIC MeReal MEAPI MdtContactGetRadius(const MdtContactID c, const unsigned i
  */
 MEPUBLIC void MEAPI MdtContactSetRim(const MdtContactID c, const unsigned int bodyindex, const MeReal radius,
                                      const MeVector3 axis);
+/** m, of the body of index 0 or 1; writes the axis, a unit vector in the world frame. */
 MEPUBLIC MeReal MEAPI MdtContactGetRim(const MdtContactID c, const unsigned int bodyindex, MeVector3 axis);
 /**
  * Whether a vertex of the body touches: within a step the contact then moves with this body, as when a box rocks on
@@ -85,13 +90,16 @@ MEPUBLIC MeReal MEAPI MdtContactGetRim(const MdtContactID c, const unsigned int 
  * radius takes precedence. Beyond Karma.
  */
 MEPUBLIC void MEAPI MdtContactSetVertex(const MdtContactID c, const unsigned int bodyindex, const MeBool isVertex);
+/** MEFALSE by default. */
 MEPUBLIC MeBool MEAPI MdtContactIsVertex(const MdtContactID c, const unsigned int bodyindex);
 /** Feature id: a number by which the contact's maker recognizes it in the next step. Not used otherwise. Default 0. */
 MEPUBLIC void MEAPI MdtContactSetFeature(const MdtContactID c, const MeU32 feature);
+/** 0 by default. */
 MEPUBLIC MeU32 MEAPI MdtContactGetFeature(const MdtContactID c);
 /** The primary direction; its component along the normal is removed. Needed only for anisotropic friction, else one is
  *  chosen. The secondary direction is normal x primary. */
 MEPUBLIC void MEAPI MdtContactSetDirection(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z);
+/** Unit vector, world frame: the primary direction, set or chosen. */
 MEPUBLIC void MEAPI MdtContactGetDirection(const MdtContactID c, MeVector3 v);
 /** @} */
 
@@ -103,6 +111,7 @@ MEPUBLIC MdtContactParamsID MEAPI MdtContactGetParams(const MdtContactID c);
 MEPUBLIC void MEAPI MdtContactSetParams(const MdtContactID c, const MdtContactParamsID p);
 /** m/s, velocity of the world's surface at the contact (MdtConstraintSetWorldLinearVelocity). */
 MEPUBLIC void MEAPI MdtContactSetWorldVelocity(const MdtContactID c, const MeReal x, const MeReal y, const MeReal z);
+/** m/s; 0 by default. */
 MEPUBLIC void MEAPI MdtContactGetWorldVelocity(const MdtContactID c, MeVector3 v);
 /** @} */
 
@@ -125,18 +134,32 @@ MEPUBLIC MdtContactGroupID MEAPI MdtContactGetContactGroup(const MdtContactID c)
  *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
  *  of the last step.
  *  @{ */
+/** Disables and destroys it; its sleeping bodies wake. The handle is invalid from then on. */
 MEPUBLIC void MEAPI MdtContactDestroy(const MdtContactID j);
+/** Lets it act. No effect on a contact in a group. Without a body: a warning, and it stays disabled. */
 MEPUBLIC void MEAPI MdtContactEnable(const MdtContactID j);
+/** Ends its effect and wakes its sleeping bodies. No effect on a contact in a group. */
 MEPUBLIC void MEAPI MdtContactDisable(const MdtContactID j);
+/** Of a contact in a group: whether the group is enabled. */
 MEPUBLIC MeBool MEAPI MdtContactIsEnabled(const MdtContactID j);
+/** Attaches it; at most one body may be null, the world. A contact in a group has the group's bodies: a warning. */
 MEPUBLIC void MEAPI MdtContactSetBodies(const MdtContactID j, const MdtBodyID b1, const MdtBodyID b2);
+/** The body of index 0 or 1. Null: the world, or not attached; another index also gets a warning. */
 MEPUBLIC MdtBodyID MEAPI MdtContactGetBody(const MdtContactID j, const unsigned int bodyindex);
+/** N, world frame: on the body of index 0 or 1 in the last step, normal force and friction; 0 before the first. */
 MEPUBLIC void MEAPI MdtContactGetForce(const MdtContactID j, const unsigned int bodyindex, MeVector3 force);
+/** N m, world frame: the moment of that force about the body's centre of mass at the start of the step. Torques of
+ *  rolling and spinning friction are left out. */
 MEPUBLIC void MEAPI MdtContactGetTorque(const MdtContactID j, const unsigned int bodyindex, MeVector3 torque);
+/** The world that owns it; null, with a warning, for a bad handle. */
 MEPUBLIC MdtWorldID MEAPI MdtContactGetWorld(const MdtContactID j);
+/** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI MdtContactSetUserData(const MdtContactID j, void *data);
+/** The pointer of MdtContactSetUserData; null if none was set. */
 MEPUBLIC void *MEAPI MdtContactGetUserData(const MdtContactID j);
+/** 0 .. 2^31 - 1, default 0: lower keys are simulated first. In a group the order of adding counts instead. */
 MEPUBLIC void MEAPI MdtContactSetSortKey(const MdtContactID j, const MeI32 key);
+/** The key of MdtContactSetSortKey; 0 for a bad handle, with a warning. */
 MEPUBLIC MeI32 MEAPI MdtContactGetSortKey(const MdtContactID j);
 /** @} */
 

@@ -51,7 +51,9 @@ MEPUBLIC MeReal MEAPI MdtContactGroupGetNormalForce(MdtContactGroupID g);
 MEPUBLIC MeBool MEAPI MdtContactGroupIsSwapped(MdtContactGroupID g);
 /** @name A pointer for the group's maker (collision uses it)
  *  @{ */
+/** Not read by Karma. Default null. */
 MEPUBLIC void MEAPI MdtContactGroupSetGenerator(MdtContactGroupID g, void *generator);
+/** The pointer of MdtContactGroupSetGenerator; null by default. */
 MEPUBLIC void *MEAPI MdtContactGroupGetGenerator(MdtContactGroupID group);
 /** Sets the address of the maker's pointer to the group: *@a holder is set to null when the group is destroyed by
  *  anyone, so that the maker does not mistake a new object in the same memory for it. The pointer must live as long as
@@ -63,18 +65,32 @@ MEPUBLIC void MEAPI MdtContactGroupSetHolder(MdtContactGroupID g, void **holder)
  *  Each does what the MdtConstraint function of that name does (MdtConstraint.h). Force and torque are the sums over
  *  the contacts. Destroying the group destroys its contacts.
  *  @{ */
+/** Destroys the group and its contacts. Their handles are invalid from then on. */
 MEPUBLIC void MEAPI MdtContactGroupDestroy(const MdtContactGroupID j);
+/** Lets all its contacts act. Without a body: a warning, and it stays disabled. */
 MEPUBLIC void MEAPI MdtContactGroupEnable(const MdtContactGroupID j);
+/** Ends the effect of its contacts and wakes their sleeping bodies. */
 MEPUBLIC void MEAPI MdtContactGroupDisable(const MdtContactGroupID j);
+/** False for a new group and after MdtContactGroupDisable. */
 MEPUBLIC MeBool MEAPI MdtContactGroupIsEnabled(const MdtContactGroupID j);
+/** Attaches it with its contacts; at most one body may be null, the world, which becomes the second side. A group of a
+ *  bridge keeps its bodies: a warning. */
 MEPUBLIC void MEAPI MdtContactGroupSetBodies(const MdtContactGroupID j, const MdtBodyID b1, const MdtBodyID b2);
+/** The body of index 0 or 1. Null: the world, or not attached; another index also gets a warning. */
 MEPUBLIC MdtBodyID MEAPI MdtContactGroupGetBody(const MdtContactGroupID j, const unsigned int bodyindex);
+/** N, world frame: sum of its contacts' forces on the body of index 0 or 1 in the last step. */
 MEPUBLIC void MEAPI MdtContactGroupGetForce(const MdtContactGroupID j, const unsigned int bodyindex, MeVector3 force);
+/** N m, world frame: sum of the moments of its contacts' forces about that body's centre of mass. */
 MEPUBLIC void MEAPI MdtContactGroupGetTorque(const MdtContactGroupID j, const unsigned int bodyindex, MeVector3 torque);
+/** The world that owns it; null, with a warning, for a bad handle. */
 MEPUBLIC MdtWorldID MEAPI MdtContactGroupGetWorld(const MdtContactGroupID j);
+/** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI MdtContactGroupSetUserData(const MdtContactGroupID j, void *data);
+/** The pointer of MdtContactGroupSetUserData; null if none was set. */
 MEPUBLIC void *MEAPI MdtContactGroupGetUserData(const MdtContactGroupID j);
+/** 0 .. 2^31 - 1, default 0: lower keys are simulated first, equal ones in the order of creation. */
 MEPUBLIC void MEAPI MdtContactGroupSetSortKey(const MdtContactGroupID j, const MeI32 key);
+/** The key of MdtContactGroupSetSortKey; 0 for a bad handle, with a warning. */
 MEPUBLIC MeI32 MEAPI MdtContactGroupGetSortKey(const MdtContactGroupID j);
 /** Another name of MdtContactGroupGetTorque, in old programs. */
 MEPUBLIC void MEAPI MdtContactGroupTorque(const MdtContactGroupID j, const unsigned int bodyindex, MeVector3 torque);

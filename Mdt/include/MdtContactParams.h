@@ -34,13 +34,18 @@ MEPUBLIC void MEAPI MdtContactParamsReset(const MdtContactParamsID p);
  *  @{ */
 /** None, along the primary direction, or in the contact plane. Default MdtContactTypeFrictionZero. */
 MEPUBLIC void MEAPI MdtContactParamsSetType(const MdtContactParamsID p, MdtContactType t);
+/** MdtContactTypeFrictionZero by default. */
 MEPUBLIC MdtContactType MEAPI MdtContactParamsGetType(const MdtContactParamsID p);
 /** Whether the bound of friction is a force, or a coefficient times the normal force for each direction or for both
  *  together (the cone). Default MdtFrictionModelBox. */
 MEPUBLIC void MEAPI MdtContactParamsSetFrictionModel(const MdtContactParamsID p, MdtFrictionModel m);
+/** The model along the primary direction only. */
 MEPUBLIC void MEAPI MdtContactParamsSetPrimaryFrictionModel(const MdtContactParamsID p, MdtFrictionModel m);
+/** The model along the secondary direction only; used with MdtContactTypeFriction2D. */
 MEPUBLIC void MEAPI MdtContactParamsSetSecondaryFrictionModel(const MdtContactParamsID p, MdtFrictionModel m);
+/** MdtFrictionModelBox by default. */
 MEPUBLIC MdtFrictionModel MEAPI MdtContactParamsGetPrimaryFrictionModel(const MdtContactParamsID p);
+/** MdtFrictionModelBox by default. */
 MEPUBLIC MdtFrictionModel MEAPI MdtContactParamsGetSecondaryFrictionModel(const MdtContactParamsID p);
 /** @} */
 
@@ -48,19 +53,29 @@ MEPUBLIC MdtFrictionModel MEAPI MdtContactParamsGetSecondaryFrictionModel(const 
  *  It is a force and no coefficient, and acts only with a type and the box model: MdtContactParamsSetSurface sets
  *  Coulomb's friction.
  *  @{ */
+/** N, in both directions. */
 MEPUBLIC void MEAPI MdtContactParamsSetFriction(const MdtContactParamsID p, MeReal f);
+/** N, along the primary direction. */
 MEPUBLIC void MEAPI MdtContactParamsSetPrimaryFriction(const MdtContactParamsID p, MeReal f);
+/** N, along the secondary direction. */
 MEPUBLIC void MEAPI MdtContactParamsSetSecondaryFriction(const MdtContactParamsID p, MeReal f);
+/** N; MEINFINITY by default. */
 MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimaryFriction(const MdtContactParamsID p);
+/** N; MEINFINITY by default. */
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondaryFriction(const MdtContactParamsID p);
 /** @} */
 
 /** @name Friction coefficient of the normal-force model and of the cone, >= 0, default 0 (the misspelling is Karma's)
  *  @{ */
+/** Without unit, in both directions. No effect with the box model or the type FrictionZero. */
 MEPUBLIC void MEAPI MdtContactParamsSetFrictionCoeffecient(const MdtContactParamsID p, MeReal f);
+/** Along the primary direction. */
 MEPUBLIC void MEAPI MdtContactParamsSetPrimaryFrictionCoeffecient(const MdtContactParamsID p, MeReal f);
+/** Along the secondary direction. */
 MEPUBLIC void MEAPI MdtContactParamsSetSecondaryFrictionCoeffecient(const MdtContactParamsID p, MeReal f);
+/** 0 by default. */
 MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimaryFrictionCoeffecient(const MdtContactParamsID p);
+/** 0 by default. */
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondaryFrictionCoeffecient(const MdtContactParamsID p);
 /** @} */
 
@@ -68,19 +83,28 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondaryFrictionCoeffecient(const MdtC
  *  The surfaces slide at a velocity of slip times the tangential force of the contact. A body under a constant force
  *  approaches the velocity slip times force with the time constant slip times mass.
  *  @{ */
+/** m/s per N, in both directions. */
 MEPUBLIC void MEAPI MdtContactParamsSetSlip(const MdtContactParamsID p, MeReal f);
+/** m/s per N, along the primary direction. */
 MEPUBLIC void MEAPI MdtContactParamsSetPrimarySlip(const MdtContactParamsID p, MeReal s);
+/** m/s per N, along the secondary direction. */
 MEPUBLIC void MEAPI MdtContactParamsSetSecondarySlip(const MdtContactParamsID p, MeReal s);
+/** m/s per N; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimarySlip(const MdtContactParamsID p);
+/** m/s per N; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondarySlip(const MdtContactParamsID p);
 /** @} */
 
 /** @name Slide: velocity of the second body's surface, which carries the first body along, m/s; needs friction
  *  Along the primary and the secondary direction of the contact (MdtContactSetDirection). Default 0.
  *  @{ */
+/** m/s, along the primary direction; either sign. */
 MEPUBLIC void MEAPI MdtContactParamsSetPrimarySlide(const MdtContactParamsID p, MeReal s);
+/** m/s, along the secondary direction; either sign. */
 MEPUBLIC void MEAPI MdtContactParamsSetSecondarySlide(const MdtContactParamsID p, MeReal s);
+/** m/s; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtContactParamsGetPrimarySlide(const MdtContactParamsID p);
+/** m/s; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondarySlide(const MdtContactParamsID p);
 /** @} */
 
@@ -91,32 +115,44 @@ MEPUBLIC MeReal MEAPI MdtContactParamsGetSecondarySlide(const MdtContactParamsID
  *  ball of radius R that rolls with the speed v on a floor comes to rest after 7/10 v² R / (r g), with the rolling
  *  friction r, and stays on a slope up to r / R. Independent of the other friction, which rolling needs.
  *  @{ */
+/** m, against rolling; for a car's tyre on asphalt some 0.01 of its radius. */
 MEPUBLIC void MEAPI MdtContactParamsSetRollingFriction(const MdtContactParamsID p, MeReal r);
+/** m; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtContactParamsGetRollingFriction(const MdtContactParamsID p);
+/** m, against spinning about the normal. */
 MEPUBLIC void MEAPI MdtContactParamsSetSpinningFriction(const MdtContactParamsID p, MeReal r);
+/** m; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSpinningFriction(const MdtContactParamsID p);
 /** @} */
 
 /** @name Restitution: rebound speed over impact speed, 0..1, for impacts above the threshold [m/s, >= 0]
  *  Bodies whose closing speed is at most what their acceleration gives in one step count as resting, and do not bounce.
  *  @{ */
+/** 0: no rebound, the default; 1: with the full speed. */
 MEPUBLIC void MEAPI MdtContactParamsSetRestitution(const MdtContactParamsID p, MeReal r);
+/** 0 by default. */
 MEPUBLIC MeReal MEAPI MdtContactParamsGetRestitution(const MdtContactParamsID p);
+/** m/s: slower impacts do not rebound. */
 MEPUBLIC void MEAPI MdtContactParamsSetRestitutionThreshold(const MdtContactParamsID p, MeReal v);
+/** m/s; 0.001 by default, in new contacts and materials times the length scale. */
 MEPUBLIC MeReal MEAPI MdtContactParamsGetRestitutionThreshold(const MdtContactParamsID p);
 /** @} */
 
 /** @name Softness: compliance along this contact's normal, added to the world's epsilon, 1/kg, >= 0
  *  A load F sinks by softness F h² / gamma. Prevents jitter (Dynamics guide ch. 5); 0.0001 is a typical value.
  *  @{ */
+/** 1/kg. A number that is negative or not finite gets a warning and changes nothing. */
 MEPUBLIC void MEAPI MdtContactParamsSetSoftness(const MdtContactParamsID p, MeReal s);
+/** 1/kg; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtContactParamsGetSoftness(const MdtContactParamsID p);
 /** @} */
 
 /** @name Adhesion: the largest pulling force of the contact, N, >= 0, default 0
  *  MEINFINITY: the bodies never separate.
  *  @{ */
+/** N. It pulls while the bodies are within the contact's reach: a contact must be there. */
 MEPUBLIC void MEAPI MdtContactParamsSetMaxAdhesiveForce(const MdtContactParamsID p, MeReal s);
+/** N; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtContactParamsGetMaxAdhesiveForce(const MdtContactParamsID p);
 /** @} */
 

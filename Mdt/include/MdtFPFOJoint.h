@@ -30,18 +30,31 @@ MEPUBLIC void MEAPI MdtFPFOJointGetPosition(const MdtFPFOJointID j, const unsign
  *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
  *  of the last step.
  *  @{ */
+/** Disables and destroys it; its sleeping bodies wake. The handle is invalid from then on. */
 MEPUBLIC void MEAPI MdtFPFOJointDestroy(const MdtFPFOJointID j);
+/** Lets it act. Without a body: a warning, and it stays disabled. */
 MEPUBLIC void MEAPI MdtFPFOJointEnable(const MdtFPFOJointID j);
+/** Ends its effect and wakes its sleeping bodies. It stays attached. */
 MEPUBLIC void MEAPI MdtFPFOJointDisable(const MdtFPFOJointID j);
+/** False for a new one, after MdtFPFOJointDisable, and after a break. */
 MEPUBLIC MeBool MEAPI MdtFPFOJointIsEnabled(const MdtFPFOJointID j);
+/** Attaches it; at most one body may be null, the world. Place the bodies before: their relative pose is kept. */
 MEPUBLIC void MEAPI MdtFPFOJointSetBodies(const MdtFPFOJointID j, const MdtBodyID b1, const MdtBodyID b2);
+/** The body of index 0 or 1. Null: the world, or not attached; another index also gets a warning. */
 MEPUBLIC MdtBodyID MEAPI MdtFPFOJointGetBody(const MdtFPFOJointID j, const unsigned int bodyindex);
+/** N, world frame: on the body of index 0 or 1, at its centre of mass, in the last step; 0 before the first. */
 MEPUBLIC void MEAPI MdtFPFOJointGetForce(const MdtFPFOJointID j, const unsigned int bodyindex, MeVector3 force);
+/** N m, world frame: on that body about its centre of mass, with the moment of MdtFPFOJointGetForce. */
 MEPUBLIC void MEAPI MdtFPFOJointGetTorque(const MdtFPFOJointID j, const unsigned int bodyindex, MeVector3 torque);
+/** The world that owns it; null, with a warning, for a bad handle. */
 MEPUBLIC MdtWorldID MEAPI MdtFPFOJointGetWorld(const MdtFPFOJointID j);
+/** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI MdtFPFOJointSetUserData(const MdtFPFOJointID j, void *data);
+/** The pointer of MdtFPFOJointSetUserData; null if none was set. */
 MEPUBLIC void *MEAPI MdtFPFOJointGetUserData(const MdtFPFOJointID j);
+/** 0 .. 2^31 - 1, default 0: lower keys are simulated first, equal ones in the order of creation. */
 MEPUBLIC void MEAPI MdtFPFOJointSetSortKey(const MdtFPFOJointID j, const MeI32 key);
+/** The key of MdtFPFOJointSetSortKey; 0 for a bad handle, with a warning. */
 MEPUBLIC MeI32 MEAPI MdtFPFOJointGetSortKey(const MdtFPFOJointID j);
 /** @} */
 

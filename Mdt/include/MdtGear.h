@@ -46,10 +46,12 @@ MEPUBLIC MeReal MEAPI MdtGearGetRatio(const MdtGearID j);
 /** The axis of the body of index 0 or 1, world frame, normalized here. Engages the gear. MdtGearSetAxis sets both. */
 MEPUBLIC void MEAPI MdtGearBodySetAxis(const MdtGearID j, const unsigned int bodyindex, const MeReal x, const MeReal y,
                                        const MeReal z);
+/** Unit vector, world frame: the present axis of the body of index 0 or 1. */
 MEPUBLIC void MEAPI MdtGearBodyGetAxis(const MdtGearID j, const unsigned int bodyindex, MeVector3 axis);
 /** The housing: null, the world, or one of the gear's bodies; another one gets a warning and changes nothing. Engages
  *  the gear. */
 MEPUBLIC void MEAPI MdtGearSetHousing(const MdtGearID j, const MdtBodyID housing);
+/** Null, the default: the world. */
 MEPUBLIC MdtBodyID MEAPI MdtGearGetHousing(const MdtGearID j);
 /** Makes both coordinates 0 in the present poses: the wheels go on from here. */
 MEPUBLIC void MEAPI MdtGearEngage(const MdtGearID j);
@@ -63,20 +65,35 @@ MEPUBLIC MeReal MEAPI MdtGearGetError(const MdtGearID j);
  *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
  *  of the last step.
  *  @{ */
+/** Disables and destroys it; its sleeping bodies wake. The handle is invalid from then on. */
 MEPUBLIC void MEAPI MdtGearDestroy(const MdtGearID j);
+/** Lets it act. Without a body: a warning, and it stays disabled. */
 MEPUBLIC void MEAPI MdtGearEnable(const MdtGearID j);
+/** Ends its effect and wakes its sleeping bodies. It stays attached. */
 MEPUBLIC void MEAPI MdtGearDisable(const MdtGearID j);
+/** False for a new one, after MdtGearDisable, and after a break. */
 MEPUBLIC MeBool MEAPI MdtGearIsEnabled(const MdtGearID j);
+/** Attaches it; at most one body may be null, the world. Engages the gear in the bodies' present poses. */
 MEPUBLIC void MEAPI MdtGearSetBodies(const MdtGearID j, const MdtBodyID b1, const MdtBodyID b2);
+/** The body of index 0 or 1. Null: the world, or not attached; another index also gets a warning. */
 MEPUBLIC MdtBodyID MEAPI MdtGearGetBody(const MdtGearID j, const unsigned int bodyindex);
+/** N, world frame: on the body of index 0 or 1, at its centre of mass, in the last step; 0 before the first. */
 MEPUBLIC void MEAPI MdtGearGetForce(const MdtGearID j, const unsigned int bodyindex, MeVector3 force);
+/** N m, world frame: on that body about its centre of mass, with the moment of MdtGearGetForce. */
 MEPUBLIC void MEAPI MdtGearGetTorque(const MdtGearID j, const unsigned int bodyindex, MeVector3 torque);
+/** The world that owns it; null, with a warning, for a bad handle. */
 MEPUBLIC MdtWorldID MEAPI MdtGearGetWorld(const MdtGearID j);
+/** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI MdtGearSetUserData(const MdtGearID j, void *data);
+/** The pointer of MdtGearSetUserData; null if none was set. */
 MEPUBLIC void *MEAPI MdtGearGetUserData(const MdtGearID j);
+/** 0 .. 2^31 - 1, default 0: lower keys are simulated first, equal ones in the order of creation. */
 MEPUBLIC void MEAPI MdtGearSetSortKey(const MdtGearID j, const MeI32 key);
+/** The key of MdtGearSetSortKey; 0 for a bad handle, with a warning. */
 MEPUBLIC MeI32 MEAPI MdtGearGetSortKey(const MdtGearID j);
+/** World frame, not zero, normalized here: one axis for both bodies, for parallel shafts. Engages the gear. */
 MEPUBLIC void MEAPI MdtGearSetAxis(const MdtGearID j, const MeReal x, const MeReal y, const MeReal z);
+/** Unit vector, world frame: the first body's axis at present; the second one's, if the first is the world. */
 MEPUBLIC void MEAPI MdtGearGetAxis(const MdtGearID j, MeVector3 axis);
 /** @} */
 

@@ -38,12 +38,15 @@ MEPUBLIC MeReal MEAPI MdtLimitGetOvershoot(const MdtLimitID l);
  *  or below it, the stop is a damped spring, and its restitution is ignored. A stiffness of MEINFINITY is always hard.
  *  */
 MEPUBLIC void MEAPI MdtLimitSetStiffnessThreshold(const MdtLimitID l, const MeReal NewStiffnessThreshold);
+/** N/m; MEINFINITY by default. */
 MEPUBLIC MeReal MEAPI MdtLimitGetStiffnessThreshold(const MdtLimitID l);
 /** Pointers to the stops, for reading and writing; valid as long as the limit. */
 MEPUBLIC MdtSingleLimitID MEAPI MdtLimitGetLowerLimit(const MdtLimitID l);
+/** The upper stop; null, with a warning, for a null limit. */
 MEPUBLIC MdtSingleLimitID MEAPI MdtLimitGetUpperLimit(const MdtLimitID l);
 /** Sets a stop to a copy of @a sl. If the stops would cross, the other one is set to the same value. */
 MEPUBLIC void MEAPI MdtLimitSetLowerLimit(const MdtLimitID l, const MdtSingleLimitID sl);
+/** The same for the upper stop. */
 MEPUBLIC void MEAPI MdtLimitSetUpperLimit(const MdtLimitID l, const MdtSingleLimitID sl);
 /** @} */
 
@@ -51,9 +54,11 @@ MEPUBLIC void MEAPI MdtLimitSetUpperLimit(const MdtLimitID l, const MdtSingleLim
  *  @{ */
 /** Switches the stops on and off. Off by default. Warns if the lower stop is above the upper one. */
 MEPUBLIC void MEAPI MdtLimitActivateLimits(const MdtLimitID l, const MeBool NewActivationState);
+/** Whether the stops are on; MEFALSE by default. */
 MEPUBLIC MeBool MEAPI MdtLimitIsActive(const MdtLimitID l);
 /** Switches the motor on and off. Off by default (the guides' text says on; their tables and samples need off). */
 MEPUBLIC void MEAPI MdtLimitActivateMotor(const MdtLimitID l, const MeBool NewActivationState);
+/** Whether a motor, of a velocity or a position, is on; MEFALSE by default. */
 MEPUBLIC MeBool MEAPI MdtLimitIsMotorized(const MdtLimitID l);
 /** Measures the coordinate also without stops and motor. It cannot be switched off while they need it. */
 MEPUBLIC void MEAPI MdtLimitCalculatePosition(const MdtLimitID l, const MeBool NewState);
@@ -64,8 +69,8 @@ MEPUBLIC MeBool MEAPI MdtLimitPositionIsCalculated(const MdtLimitID l);
 /** @name The motor of a velocity, which replaces one of a position
  *  @{ */
 /** Switches the motor on: it drives the coordinate to @a desiredVelocity with at most @a forceLimit in either
- *  direction (a negative one counts as 0); a force limit of 0 switches it off. A desired velocity of 0 is a brake with
- *  dry friction. */
+ *  direction (a negative one counts as 0, with a warning); a force limit of 0 switches it off. A desired velocity of 0
+ *  is a brake with dry friction. */
 MEPUBLIC void MEAPI MdtLimitSetLimitedForceMotor(const MdtLimitID l, const MeReal desiredVelocity,
                                                  const MeReal forceLimit);
 /** Whether the motor tracks the position that follows from its velocity. Off, the default: the desired velocity is
@@ -75,8 +80,11 @@ MEPUBLIC void MEAPI MdtLimitSetLimitedForceMotor(const MdtLimitID l, const MeRea
  *  that sets the mean velocity of a path's next step leads the joint along the path. Distance lost for lack of force
  *  is not made up for. */
 MEPUBLIC void MEAPI MdtLimitSetMotorTracking(const MdtLimitID l, const MeBool NewState);
+/** MEFALSE by default. */
 MEPUBLIC MeBool MEAPI MdtLimitMotorIsTracking(const MdtLimitID l);
+/** m/s; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtLimitGetMotorDesiredVelocity(const MdtLimitID l);
+/** N; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtLimitGetMotorMaxForce(const MdtLimitID l);
 /** @} */
 
@@ -104,6 +112,7 @@ MEPUBLIC void MEAPI MdtLimitSetMotorTarget(const MdtLimitID l, const MeReal targ
 MEPUBLIC MeReal MEAPI MdtLimitGetMotorTarget(const MdtLimitID l);
 /** 0: the motor is one of a velocity. */
 MEPUBLIC MeReal MEAPI MdtLimitGetMotorFrequency(const MdtLimitID l);
+/** As set last; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtLimitGetMotorDampingRatio(const MdtLimitID l);
 /** @} */
 
@@ -114,6 +123,7 @@ MEPUBLIC MeReal MEAPI MdtLimitGetMotorDampingRatio(const MdtLimitID l);
 MEPUBLIC void MEAPI MdtLimitSetLock(const MdtLimitID l, const MeReal lock_value, const MeReal forceLimit);
 /** Switches the lock on at its last value and force, or off. Default off. */
 MEPUBLIC void MEAPI MdtLimitActivateLock(const MdtLimitID l, const MeBool NewActivationState);
+/** MEFALSE by default. */
 MEPUBLIC MeBool MEAPI MdtLimitIsLocked(const MdtLimitID l);
 /** @} */
 
@@ -123,15 +133,19 @@ MEPUBLIC MeBool MEAPI MdtLimitIsLocked(const MdtLimitID l);
 MEPUBLIC void MEAPI MdtSingleLimitReset(const MdtSingleLimitID limit);
 /** m: the smallest or the largest value of the coordinate. The spring of a soft stop begins there. */
 MEPUBLIC void MEAPI MdtSingleLimitSetStop(const MdtSingleLimitID sl, const MeReal NewStop);
+/** m; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtSingleLimitGetStop(const MdtSingleLimitID sl);
 /** N/m, >= 0 (a negative one counts as 0). With stiffness and damping 0 the stop does nothing. */
 MEPUBLIC void MEAPI MdtSingleLimitSetStiffness(const MdtSingleLimitID sl, const MeReal NewStiffness);
+/** N/m; MEINFINITY by default. */
 MEPUBLIC MeReal MEAPI MdtSingleLimitGetStiffness(const MdtSingleLimitID sl);
 /** N s/m, >= 0 (a negative one counts as 0). */
 MEPUBLIC void MEAPI MdtSingleLimitSetDamping(const MdtSingleLimitID sl, const MeReal NewDamping);
+/** N s/m; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtSingleLimitGetDamping(const MdtSingleLimitID sl);
 /** 0..1 (clamped). */
 MEPUBLIC void MEAPI MdtSingleLimitSetRestitution(const MdtSingleLimitID sl, const MeReal NewRestitution);
+/** 1 by default. */
 MEPUBLIC MeReal MEAPI MdtSingleLimitGetRestitution(const MdtSingleLimitID sl);
 /** @} */
 

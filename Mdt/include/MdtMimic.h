@@ -39,9 +39,11 @@ MEPUBLIC void MEAPI MdtMimicSetJoints(const MdtMimicID j, const MdtConstraintID 
 MEPUBLIC MdtConstraintID MEAPI MdtMimicGetJoint(const MdtMimicID j, const unsigned int jointindex);
 /** The ratio, finite: m/rad where the second joint slides and the first turns. 0: the second joint is held. */
 MEPUBLIC void MEAPI MdtMimicSetRatio(const MdtMimicID j, const MeReal ratio);
+/** 1 by default. */
 MEPUBLIC MeReal MEAPI MdtMimicGetRatio(const MdtMimicID j);
 /** The offset, rad or m. */
 MEPUBLIC void MEAPI MdtMimicSetOffset(const MdtMimicID j, const MeReal offset);
+/** rad or m; 0 by default. */
 MEPUBLIC MeReal MEAPI MdtMimicGetOffset(const MdtMimicID j);
 
 /** @name Functions that every constraint has, under this joint's name
@@ -50,18 +52,31 @@ MEPUBLIC MeReal MEAPI MdtMimicGetOffset(const MdtMimicID j);
  *  of the last step.
  *  MdtMimicSetJoints sets the bodies; with others, by MdtMimicSetBodies, it does nothing.
  *  @{ */
+/** Disables and destroys it; its sleeping bodies wake. The handle is invalid from then on. */
 MEPUBLIC void MEAPI MdtMimicDestroy(const MdtMimicID j);
+/** Lets it act. Without a body: a warning, and it stays disabled. */
 MEPUBLIC void MEAPI MdtMimicEnable(const MdtMimicID j);
+/** Ends its effect and wakes its sleeping bodies. It stays attached. */
 MEPUBLIC void MEAPI MdtMimicDisable(const MdtMimicID j);
+/** False for a new one, after MdtMimicDisable, and after a break. */
 MEPUBLIC MeBool MEAPI MdtMimicIsEnabled(const MdtMimicID j);
+/** MdtMimicSetJoints attaches the mimic to its joints' bodies; a program need not call this. */
 MEPUBLIC void MEAPI MdtMimicSetBodies(const MdtMimicID j, const MdtBodyID b1, const MdtBodyID b2);
+/** The body of index 0 or 1. Null: the world, or not attached; another index also gets a warning. */
 MEPUBLIC MdtBodyID MEAPI MdtMimicGetBody(const MdtMimicID j, const unsigned int bodyindex);
+/** N, world frame: on the body of index 0 or 1 in the last step. Further bodies of the joints are not reported. */
 MEPUBLIC void MEAPI MdtMimicGetForce(const MdtMimicID j, const unsigned int bodyindex, MeVector3 force);
+/** N m, world frame: on that body about its centre of mass, with the moment of MdtMimicGetForce. */
 MEPUBLIC void MEAPI MdtMimicGetTorque(const MdtMimicID j, const unsigned int bodyindex, MeVector3 torque);
+/** The world that owns it; null, with a warning, for a bad handle. */
 MEPUBLIC MdtWorldID MEAPI MdtMimicGetWorld(const MdtMimicID j);
+/** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI MdtMimicSetUserData(const MdtMimicID j, void *data);
+/** The pointer of MdtMimicSetUserData; null if none was set. */
 MEPUBLIC void *MEAPI MdtMimicGetUserData(const MdtMimicID j);
+/** 0 .. 2^31 - 1, default 0: lower keys are simulated first, equal ones in the order of creation. */
 MEPUBLIC void MEAPI MdtMimicSetSortKey(const MdtMimicID j, const MeI32 key);
+/** The key of MdtMimicSetSortKey; 0 for a bad handle, with a warning. */
 MEPUBLIC MeI32 MEAPI MdtMimicGetSortKey(const MdtMimicID j);
 /** @} */
 

@@ -32,20 +32,36 @@ MEPUBLIC void MEAPI MdtPrismaticSetLimit(const MdtPrismaticID j, const MdtLimitI
  *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
  *  of the last step.
  *  @{ */
+/** Disables and destroys it; its sleeping bodies wake. The handle is invalid from then on. */
 MEPUBLIC void MEAPI MdtPrismaticDestroy(const MdtPrismaticID j);
+/** Lets it act. Without a body: a warning, and it stays disabled. */
 MEPUBLIC void MEAPI MdtPrismaticEnable(const MdtPrismaticID j);
+/** Ends its effect and wakes its sleeping bodies. It stays attached. */
 MEPUBLIC void MEAPI MdtPrismaticDisable(const MdtPrismaticID j);
+/** False for a new one, after MdtPrismaticDisable, and after a break. */
 MEPUBLIC MeBool MEAPI MdtPrismaticIsEnabled(const MdtPrismaticID j);
+/** Attaches it; at most one body may be null, the world. Place the bodies before; disable it for a change. */
 MEPUBLIC void MEAPI MdtPrismaticSetBodies(const MdtPrismaticID j, const MdtBodyID b1, const MdtBodyID b2);
+/** The body of index 0 or 1. Null: the world, or not attached; another index also gets a warning. */
 MEPUBLIC MdtBodyID MEAPI MdtPrismaticGetBody(const MdtPrismaticID j, const unsigned int bodyindex);
+/** N, world frame: on the body of index 0 or 1, at its centre of mass, in the last step; 0 before the first. */
 MEPUBLIC void MEAPI MdtPrismaticGetForce(const MdtPrismaticID j, const unsigned int bodyindex, MeVector3 force);
+/** N m, world frame: on that body about its centre of mass, with the moment of MdtPrismaticGetForce. */
 MEPUBLIC void MEAPI MdtPrismaticGetTorque(const MdtPrismaticID j, const unsigned int bodyindex, MeVector3 torque);
+/** The world that owns it; null, with a warning, for a bad handle. */
 MEPUBLIC MdtWorldID MEAPI MdtPrismaticGetWorld(const MdtPrismaticID j);
+/** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI MdtPrismaticSetUserData(const MdtPrismaticID j, void *data);
+/** The pointer of MdtPrismaticSetUserData; null if none was set. */
 MEPUBLIC void *MEAPI MdtPrismaticGetUserData(const MdtPrismaticID j);
+/** 0 .. 2^31 - 1, default 0: lower keys are simulated first, equal ones in the order of creation. */
 MEPUBLIC void MEAPI MdtPrismaticSetSortKey(const MdtPrismaticID j, const MeI32 key);
+/** The key of MdtPrismaticSetSortKey; 0 for a bad handle, with a warning. */
 MEPUBLIC MeI32 MEAPI MdtPrismaticGetSortKey(const MdtPrismaticID j);
+/** World frame, not zero, normalized here: the axis, fixed in both bodies from now on; their pose becomes the
+ *  displacement 0. Default: each body's x-axis. */
 MEPUBLIC void MEAPI MdtPrismaticSetAxis(const MdtPrismaticID j, const MeReal x, const MeReal y, const MeReal z);
+/** Unit vector, world frame: the axis at present on the first body; on the second one, if the first is the world. */
 MEPUBLIC void MEAPI MdtPrismaticGetAxis(const MdtPrismaticID j, MeVector3 axis);
 /** @} */
 

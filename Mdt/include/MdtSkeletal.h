@@ -28,30 +28,46 @@ MEPUBLIC MdtSkeletalID MEAPI MdtConstraintDCastSkeletal(const MdtConstraintID c)
  *  @{ */
 /** The cone's half angle towards the second axis of the joint. */
 MEPUBLIC void MEAPI MdtSkeletalSetConePrimaryLimitAngle(const MdtSkeletalID j, const MeReal theta);
+/** rad; pi/4 by default. */
 MEPUBLIC MeReal MEAPI MdtSkeletalGetConePrimaryLimitAngle(const MdtSkeletalID j);
 /** The cone's half angle towards the third axis, primary x second. */
 MEPUBLIC void MEAPI MdtSkeletalSetConeSecondaryLimitAngle(const MdtSkeletalID j, const MeReal theta);
+/** rad; pi/4 by default. */
 MEPUBLIC MeReal MEAPI MdtSkeletalGetConeSecondaryLimitAngle(const MdtSkeletalID j);
+/** The largest twist in either direction. */
 MEPUBLIC void MEAPI MdtSkeletalSetTwistLimitAngle(const MdtSkeletalID j, const MeReal theta);
+/** rad; pi/4 by default. */
 MEPUBLIC MeReal MEAPI MdtSkeletalGetTwistLimitAngle(const MdtSkeletalID j);
 /** @} */
 /** @name Stiffness [N m/rad] and damping [N m s/rad] beyond the limits, at least 0
  *  All are MEINFINITY by default. A limit is hard, without rebound, as long as one of its two is.
  *  @{ */
+/** N m/rad beyond the cone. A negative number gets a warning and changes nothing. */
 MEPUBLIC void MEAPI MdtSkeletalSetConeStiffness(const MdtSkeletalID j, const MeReal kp);
+/** N m/rad; MEINFINITY by default. */
 MEPUBLIC MeReal MEAPI MdtSkeletalGetConeStiffness(const MdtSkeletalID j);
+/** N m s/rad beyond the cone. A negative number gets a warning and changes nothing. */
 MEPUBLIC void MEAPI MdtSkeletalSetConeDamping(const MdtSkeletalID j, const MeReal kd);
+/** N m s/rad; MEINFINITY by default. */
 MEPUBLIC MeReal MEAPI MdtSkeletalGetConeDamping(const MdtSkeletalID j);
+/** N m/rad beyond the twist limit. A negative number gets a warning and changes nothing. */
 MEPUBLIC void MEAPI MdtSkeletalSetTwistStiffness(const MdtSkeletalID j, const MeReal kp);
+/** N m/rad; MEINFINITY by default. */
 MEPUBLIC MeReal MEAPI MdtSkeletalGetTwistStiffness(const MdtSkeletalID j);
+/** N m s/rad beyond the twist limit. A negative number gets a warning and changes nothing. */
 MEPUBLIC void MEAPI MdtSkeletalSetTwistDamping(const MdtSkeletalID j, const MeReal kd);
+/** N m s/rad; MEINFINITY by default. */
 MEPUBLIC MeReal MEAPI MdtSkeletalGetTwistDamping(const MdtSkeletalID j);
 /** @} */
 /** @name Options: free, limited (the default) or fixed (MdtBcl.h); an invalid value gets a warning
  *  @{ */
+/** Swing: free, within the cone, or none. */
 MEPUBLIC void MEAPI MdtSkeletalSetConeOption(const MdtSkeletalID j, MdtSkeletalConeOption co);
+/** Limited by default. */
 MEPUBLIC MdtSkeletalConeOption MEAPI MdtSkeletalGetConeOption(const MdtSkeletalID j);
+/** Twist: free, within its limit, or none. */
 MEPUBLIC void MEAPI MdtSkeletalSetTwistOption(const MdtSkeletalID j, MdtSkeletalTwistOption to);
+/** Limited by default. */
 MEPUBLIC MdtSkeletalTwistOption MEAPI MdtSkeletalGetTwistOption(const MdtSkeletalID j);
 /** @} */
 /** Makes the present twist of the bodies the zero of the twist. */
@@ -75,6 +91,7 @@ MEPUBLIC void MEAPI MdtSkeletalSetPositionMotor(const MdtSkeletalID j, const MeR
  *  default (1, 0, 0, 0), at the start of the next step; and its angular velocity [rad/s], in the axes of the second
  *  one, from there on; null: it rests. Steps do not change it. */
 MEPUBLIC void MEAPI MdtSkeletalSetMotorTarget(const MdtSkeletalID j, const MeVector4 q, const MeVector3 w);
+/** The target orientation, a quaternion (w, x, y, z); (1, 0, 0, 0) if none was set. */
 MEPUBLIC void MEAPI MdtSkeletalGetMotorTarget(const MdtSkeletalID j, MeVector4 q);
 /** @} */
 
@@ -83,26 +100,46 @@ MEPUBLIC void MEAPI MdtSkeletalGetMotorTarget(const MdtSkeletalID j, MeVector4 q
  *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
  *  of the last step.
  *  @{ */
+/** Disables and destroys it; its sleeping bodies wake. The handle is invalid from then on. */
 MEPUBLIC void MEAPI MdtSkeletalDestroy(const MdtSkeletalID j);
+/** Lets it act. Without a body: a warning, and it stays disabled. */
 MEPUBLIC void MEAPI MdtSkeletalEnable(const MdtSkeletalID j);
+/** Ends its effect and wakes its sleeping bodies. It stays attached. */
 MEPUBLIC void MEAPI MdtSkeletalDisable(const MdtSkeletalID j);
+/** False for a new one, after MdtSkeletalDisable, and after a break. */
 MEPUBLIC MeBool MEAPI MdtSkeletalIsEnabled(const MdtSkeletalID j);
+/** Attaches it; at most one body may be null, the world. Place the bodies before; disable it for a change. */
 MEPUBLIC void MEAPI MdtSkeletalSetBodies(const MdtSkeletalID j, const MdtBodyID b1, const MdtBodyID b2);
+/** The body of index 0 or 1. Null: the world, or not attached; another index also gets a warning. */
 MEPUBLIC MdtBodyID MEAPI MdtSkeletalGetBody(const MdtSkeletalID j, const unsigned int bodyindex);
+/** N, world frame: on the body of index 0 or 1, at its centre of mass, in the last step; 0 before the first. */
 MEPUBLIC void MEAPI MdtSkeletalGetForce(const MdtSkeletalID j, const unsigned int bodyindex, MeVector3 force);
+/** N m, world frame: on that body about its centre of mass, with the moment of MdtSkeletalGetForce. */
 MEPUBLIC void MEAPI MdtSkeletalGetTorque(const MdtSkeletalID j, const unsigned int bodyindex, MeVector3 torque);
+/** The world that owns it; null, with a warning, for a bad handle. */
 MEPUBLIC MdtWorldID MEAPI MdtSkeletalGetWorld(const MdtSkeletalID j);
+/** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI MdtSkeletalSetUserData(const MdtSkeletalID j, void *data);
+/** The pointer of MdtSkeletalSetUserData; null if none was set. */
 MEPUBLIC void *MEAPI MdtSkeletalGetUserData(const MdtSkeletalID j);
+/** 0 .. 2^31 - 1, default 0: lower keys are simulated first, equal ones in the order of creation. */
 MEPUBLIC void MEAPI MdtSkeletalSetSortKey(const MdtSkeletalID j, const MeI32 key);
+/** The key of MdtSkeletalSetSortKey; 0 for a bad handle, with a warning. */
 MEPUBLIC MeI32 MEAPI MdtSkeletalGetSortKey(const MdtSkeletalID j);
+/** m, world frame: the point where both bodies are attached, fixed in each from now on. Default: their centres of mass.
+ *  */
 MEPUBLIC void MEAPI MdtSkeletalSetPosition(const MdtSkeletalID j, const MeReal x, const MeReal y, const MeReal z);
+/** m, world frame: the point's present place on the first body; on the second one, if the first is the world. */
 MEPUBLIC void MEAPI MdtSkeletalGetPosition(const MdtSkeletalID j, MeVector3 position);
+/** World frame: primary axis (px, py, pz) and second axis of both bodies, in the pose without swing and twist. They are
+ *  normalized, the second one is made orthogonal; parallel ones get a warning and change nothing. */
 MEPUBLIC void MEAPI MdtSkeletalSetAxes(const MdtSkeletalID j, const MeReal px, const MeReal py, const MeReal pz,
                                        const MeReal ox, const MeReal oy, const MeReal oz);
+/** The same for the body of index 0 or 1 alone: so the cone's axis may lean off the first body's. */
 MEPUBLIC void MEAPI MdtSkeletalBodySetAxes(const MdtSkeletalID j, const unsigned int bodyindex, const MeReal px,
                                            const MeReal py, const MeReal pz, const MeReal ox, const MeReal oy,
                                            const MeReal oz);
+/** Unit vectors, world frame: the present axes of the body of index 0 or 1. */
 MEPUBLIC void MEAPI MdtSkeletalBodyGetAxes(const MdtSkeletalID j, const unsigned int bodyindex, MeVector3 primary,
                                            MeVector3 ortho);
 /** @} */

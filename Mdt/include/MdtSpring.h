@@ -36,6 +36,7 @@ MEPUBLIC void MEAPI MdtSpringSetLimit(const MdtSpringID j, const MdtLimitID NewL
 /** The spring's attachment to the body of index 0 or 1, world frame. */
 MEPUBLIC void MEAPI MdtSpringSetPosition(const MdtSpringID j, const unsigned int bodyindex, const MeReal x,
                                          const MeReal y, const MeReal z);
+/** m, world frame: the present attachment to the body of index 0 or 1. */
 MEPUBLIC void MEAPI MdtSpringGetPosition(const MdtSpringID j, MeVector3 v, const unsigned int bodyindex);
 /**
  * Rest length, m, >= 0: sets both stops of the spring's limit to it. It is the distance of the two attachments without
@@ -54,18 +55,32 @@ MEPUBLIC void MEAPI MdtSpringSetDamping(const MdtSpringID j, const MeReal NewDam
  *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
  *  of the last step.
  *  @{ */
+/** Disables and destroys it; its sleeping bodies wake. The handle is invalid from then on. */
 MEPUBLIC void MEAPI MdtSpringDestroy(const MdtSpringID j);
+/** Lets it act. Without a body: a warning, and it stays disabled. */
 MEPUBLIC void MEAPI MdtSpringEnable(const MdtSpringID j);
+/** Ends its effect and wakes its sleeping bodies. It stays attached. */
 MEPUBLIC void MEAPI MdtSpringDisable(const MdtSpringID j);
+/** False for a new one, after MdtSpringDisable, and after a break. */
 MEPUBLIC MeBool MEAPI MdtSpringIsEnabled(const MdtSpringID j);
+/** Attaches it; at most one body may be null, the world. Place the bodies before: their distance becomes the rest
+ *  length, unless it was set. */
 MEPUBLIC void MEAPI MdtSpringSetBodies(const MdtSpringID j, const MdtBodyID b1, const MdtBodyID b2);
+/** The body of index 0 or 1. Null: the world, or not attached; another index also gets a warning. */
 MEPUBLIC MdtBodyID MEAPI MdtSpringGetBody(const MdtSpringID j, const unsigned int bodyindex);
+/** N, world frame: on the body of index 0 or 1, at its centre of mass, in the last step; 0 before the first. */
 MEPUBLIC void MEAPI MdtSpringGetForce(const MdtSpringID j, const unsigned int bodyindex, MeVector3 force);
+/** N m, world frame: on that body about its centre of mass, with the moment of MdtSpringGetForce. */
 MEPUBLIC void MEAPI MdtSpringGetTorque(const MdtSpringID j, const unsigned int bodyindex, MeVector3 torque);
+/** The world that owns it; null, with a warning, for a bad handle. */
 MEPUBLIC MdtWorldID MEAPI MdtSpringGetWorld(const MdtSpringID j);
+/** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI MdtSpringSetUserData(const MdtSpringID j, void *data);
+/** The pointer of MdtSpringSetUserData; null if none was set. */
 MEPUBLIC void *MEAPI MdtSpringGetUserData(const MdtSpringID j);
+/** 0 .. 2^31 - 1, default 0: lower keys are simulated first, equal ones in the order of creation. */
 MEPUBLIC void MEAPI MdtSpringSetSortKey(const MdtSpringID j, const MeI32 key);
+/** The key of MdtSpringSetSortKey; 0 for a bad handle, with a warning. */
 MEPUBLIC MeI32 MEAPI MdtSpringGetSortKey(const MdtSpringID j);
 /** @} */
 

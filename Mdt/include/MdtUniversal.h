@@ -33,24 +33,42 @@ MEPUBLIC void MEAPI MdtUniversalGetAxis(const MdtUniversalID j, const unsigned i
  *  body is the world. Positions (m) and axes are in the world frame; force (N) and torque (N m) on that body are those
  *  of the last step.
  *  @{ */
+/** Disables and destroys it; its sleeping bodies wake. The handle is invalid from then on. */
 MEPUBLIC void MEAPI MdtUniversalDestroy(const MdtUniversalID j);
+/** Lets it act. Without a body: a warning, and it stays disabled. */
 MEPUBLIC void MEAPI MdtUniversalEnable(const MdtUniversalID j);
+/** Ends its effect and wakes its sleeping bodies. It stays attached. */
 MEPUBLIC void MEAPI MdtUniversalDisable(const MdtUniversalID j);
+/** False for a new one, after MdtUniversalDisable, and after a break. */
 MEPUBLIC MeBool MEAPI MdtUniversalIsEnabled(const MdtUniversalID j);
+/** Attaches it; at most one body may be null, the world. Place the bodies before; disable it for a change. */
 MEPUBLIC void MEAPI MdtUniversalSetBodies(const MdtUniversalID j, const MdtBodyID b1, const MdtBodyID b2);
+/** The body of index 0 or 1. Null: the world, or not attached; another index also gets a warning. */
 MEPUBLIC MdtBodyID MEAPI MdtUniversalGetBody(const MdtUniversalID j, const unsigned int bodyindex);
+/** N, world frame: on the body of index 0 or 1, at its centre of mass, in the last step; 0 before the first. */
 MEPUBLIC void MEAPI MdtUniversalGetForce(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 force);
+/** N m, world frame: on that body about its centre of mass, with the moment of MdtUniversalGetForce. */
 MEPUBLIC void MEAPI MdtUniversalGetTorque(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 torque);
+/** The world that owns it; null, with a warning, for a bad handle. */
 MEPUBLIC MdtWorldID MEAPI MdtUniversalGetWorld(const MdtUniversalID j);
+/** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI MdtUniversalSetUserData(const MdtUniversalID j, void *data);
+/** The pointer of MdtUniversalSetUserData; null if none was set. */
 MEPUBLIC void *MEAPI MdtUniversalGetUserData(const MdtUniversalID j);
+/** 0 .. 2^31 - 1, default 0: lower keys are simulated first, equal ones in the order of creation. */
 MEPUBLIC void MEAPI MdtUniversalSetSortKey(const MdtUniversalID j, const MeI32 key);
+/** The key of MdtUniversalSetSortKey; 0 for a bad handle, with a warning. */
 MEPUBLIC MeI32 MEAPI MdtUniversalGetSortKey(const MdtUniversalID j);
+/** m, world frame: the point where both bodies are attached, fixed in each from now on. Default: their centres of mass.
+ *  */
 MEPUBLIC void MEAPI MdtUniversalSetPosition(const MdtUniversalID j, const MeReal x, const MeReal y, const MeReal z);
+/** m, world frame: the point's present place on the first body; on the second one, if the first is the world. */
 MEPUBLIC void MEAPI MdtUniversalGetPosition(const MdtUniversalID j, MeVector3 position);
 /** Sets both axes: the primary one is that of body 0, the second one that of body 1 (User Guide app. D). */
 MEPUBLIC void MEAPI MdtUniversalSetAxes(const MdtUniversalID j, const MeReal px, const MeReal py, const MeReal pz,
                                         const MeReal ox, const MeReal oy, const MeReal oz);
+/** Unit vectors, world frame: the present axes of MdtUniversalSetAxes on the first body; on the second one, if the
+ *  first is the world. */
 MEPUBLIC void MEAPI MdtUniversalGetAxes(const MdtUniversalID j, const unsigned int bodyindex, MeVector3 primary,
                                         MeVector3 ortho);
 /** @} */

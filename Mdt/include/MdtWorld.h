@@ -85,6 +85,7 @@ MEPUBLIC int MEAPI MdtWorldGetLaggingBodies(const MdtWorldID w);
  * called, and nothing acts on the world's bodies in a second of steps: no velocity, force, impulse or constraint.
  */
 MEPUBLIC void MEAPI MdtWorldSetGravity(const MdtWorldID w, const MeReal gx, const MeReal gy, const MeReal gz);
+/** m/s²; 0 by default. */
 MEPUBLIC void MEAPI MdtWorldGetGravity(const MdtWorldID w, MeVector3 g);
 
 /** @name Epsilon and gamma (Dynamics guide ch. 5, "The Meaning of Epsilon and Gamma")
@@ -100,9 +101,13 @@ MEPUBLIC void MEAPI MdtWorldGetGravity(const MdtWorldID w, MeVector3 g);
  *  Gamma, 0..1: the fraction of a constraint's error that one step removes (ERP). Default 0.2. In large contact islands
  *  (docs/solver.md, "Crowds") overlaps of few contacts are removed faster, by up to 1 - (1 - gamma)^4.4 per step.
  *  @{ */
+/** 1/kg. A number that is negative or not finite gets a warning and changes nothing. */
 MEPUBLIC void MEAPI MdtWorldSetEpsilon(const MdtWorldID w, const MeReal e);
+/** 1/kg; 0.0001 / massScale by default, less in a universe. */
 MEPUBLIC MeReal MEAPI MdtWorldGetEpsilon(const MdtWorldID w);
+/** Outside of 0..1: a warning, and nothing is changed. 0 corrects no errors. */
 MEPUBLIC void MEAPI MdtWorldSetGamma(const MdtWorldID w, const MeReal g);
+/** 0.2 by default. */
 MEPUBLIC MeReal MEAPI MdtWorldGetGamma(const MdtWorldID w);
 /** Sets gamma for steps of @a aTimeStep so that errors decay in the same time as with @a aGamma at @a aRefStep:
  *  1 - (1 - aGamma)^(aTimeStep / aRefStep), since T / h steps leave (1 - gamma)^(T / h) of an error after the time T.
@@ -128,18 +133,23 @@ MEPUBLIC void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const Me
  *  @{ */
 /** METRUE, the default: bodies at rest fall asleep. MEFALSE: none does any more; those that sleep stay asleep. */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisable(const MdtWorldID w, const MeBool d);
+/** METRUE by default. */
 MEPUBLIC MeBool MEAPI MdtWorldGetAutoDisable(const MdtWorldID w);
 /** m²/s². Default 0.02 lengthScale². */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisableVelocityThreshold(const MdtWorldID w, const MeReal vt);
+/** m²/s². */
 MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableVelocityThreshold(const MdtWorldID w);
 /** rad²/s². Default 0.001. */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisableAngularVelocityThreshold(const MdtWorldID w, const MeReal avt);
+/** rad²/s². */
 MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableAngularVelocityThreshold(const MdtWorldID w);
 /** m²/s⁴. Default 0.5 lengthScale², at most the square of a tenth of gravity. */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisableAccelerationThreshold(const MdtWorldID w, const MeReal at);
+/** m²/s⁴; before the program sets it, adapted by MdtWorldSetGravity. */
 MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableAccelerationThreshold(const MdtWorldID w);
 /** rad²/s⁴. Default 0.002. */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisableAngularAccelerationThreshold(const MdtWorldID w, const MeReal aat);
+/** rad²/s⁴. */
 MEPUBLIC MeReal MEAPI MdtWorldGetAutoDisableAngularAccelerationThreshold(const MdtWorldID w);
 /** Alive time, s: how long a body stays enabled after it was enabled. Default 0.2 s. Replaces a window in steps. */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisableAliveTime(const MdtWorldID w, const MeReal aw);
@@ -172,7 +182,9 @@ ME_BEGIN_C
 
 /** @name Minimum safe time: the shortest advance by MdtWorldStepSafeTime, s, > 0. Default 0.001 s.
  *  @{ */
+/** A number that is not positive and finite gets a warning and changes nothing. */
 MEPUBLIC void MEAPI MdtWorldSetMinSafeTime(const MdtWorldID w, const MeReal t);
+/** s; 0.001 by default. */
 MEPUBLIC MeReal MEAPI MdtWorldGetMinSafeTime(const MdtWorldID w);
 /** @} */
 
@@ -186,6 +198,7 @@ MEPUBLIC int MEAPI MdtWorldGetTotalBodies(const MdtWorldID w);
 MEPUBLIC int MEAPI MdtWorldGetTotalConstraints(const MdtWorldID w);
 /** Without those that sleep; a world at rest has 0. */
 MEPUBLIC int MEAPI MdtWorldGetEnabledBodies(const MdtWorldID w);
+/** Enabled joints, contact groups, and contacts outside of groups, those of sleeping bodies included. */
 MEPUBLIC int MEAPI MdtWorldGetEnabledConstraints(const MdtWorldID w);
 /** @} */
 
@@ -205,6 +218,7 @@ MEPUBLIC MeReal MEAPI MdtWorldGetDefaultDensity(const MdtWorldID w);
  * with the square of the number.
  */
 MEPUBLIC void MEAPI MdtWorldSetSubSteps(const MdtWorldID w, const int n);
+/** 1 by default. */
 MEPUBLIC int MEAPI MdtWorldGetSubSteps(const MdtWorldID w);
 
 /**
@@ -221,6 +235,7 @@ MEPUBLIC int MEAPI MdtWorldGetSubSteps(const MdtWorldID w);
  * and nothing is changed. Beyond Karma.
  */
 MEPUBLIC void MEAPI MdtWorldSetIntegratorOrder(const MdtWorldID w, const int order);
+/** 2 by default. */
 MEPUBLIC int MEAPI MdtWorldGetIntegratorOrder(const MdtWorldID w);
 
 /**
@@ -233,6 +248,7 @@ MEPUBLIC int MEAPI MdtWorldGetIntegratorOrder(const MdtWorldID w);
  * and never gain energy.
  */
 MEPUBLIC void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodies);
+/** 8 by default. */
 MEPUBLIC int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w);
 
 /** Sets the callbacks for bodies that are enabled or disabled: by the program, by falling asleep or by waking; null:
@@ -245,7 +261,9 @@ MEPUBLIC void MEAPI MdtWorldSetBodyHandlers(const MdtWorldID w, MdtBodyHandler e
  *  inexact: they keep their bounds, energy does not grow, contacts give way a little, and a warning is given. Each
  *  part into which a step is divided (MdtReport) gets at least one iteration.
  *  @{ */
+/** A negative number gets a warning and changes nothing. */
 MEPUBLIC void MEAPI MdtWorldSetMaxLCPIterations(const MdtWorldID w, const int mi);
+/** 0, the default: no cap. */
 MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
 /** @} */
 
@@ -272,7 +290,9 @@ MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
  *  take 17 at most (100 links with 1e5 kg), one Newton iteration of 30 boxes in a heap 0.1. 0: unlimited, with
  *  accounts as by default. Beyond Karma.
  *  @{ */
+/** Millions of multiplications. A negative number gets a warning and changes nothing. */
 MEPUBLIC void MEAPI MdtWorldSetWorkBudget(const MdtWorldID w, const MeReal work);
+/** Millions of multiplications; 400 by default. */
 MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
 /** @} */
 
@@ -300,6 +320,7 @@ typedef enum MdtSolver {
 } MdtSolver;
 /** Another value gets a warning, and nothing is changed. */
 MEPUBLIC void MEAPI MdtWorldSetSolver(const MdtWorldID w, const MdtSolver solver);
+/** MdtSolverAuto by default. A callback of MdtWorldSetSolverCB has priority. */
 MEPUBLIC MdtSolver MEAPI MdtWorldGetSolver(const MdtWorldID w);
 /** Returns the solver for a partition, whose bodies are in the order of simulation. */
 typedef MdtSolver(MEAPI *MdtSolverCB)(MdtBodyID const bodies[], int numBodies, void *data);
@@ -339,6 +360,7 @@ MEPUBLIC void MEAPI MdtWorldSetTaskCallbacks(const MdtWorldID w, const int worke
 /** Uses a pool for tasks; the pool must live as long as the world, or until another call; several worlds may share it.
  *  Null: one worker. In the middle of a step: a warning, and nothing is changed. */
 MEPUBLIC void MEAPI MdtWorldSetTaskPool(const MdtWorldID w, const MeTaskPoolID pool);
+/** 1 by default: the calling thread. */
 MEPUBLIC int MEAPI MdtWorldGetWorkerCount(const MdtWorldID w);
 /** s: the time that a worker, 0 .. MdtWorldGetWorkerCount - 1, has spent on tasks since the workers were set; 0 if
  *  there is one worker. Another index gets a warning, and 0. */
@@ -354,6 +376,7 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkerTime(const MdtWorldID w, const int worker
  *  without gravity, of a tenth of the length scale per second. Bodies slower than 1e-3 of that velocity, or slower
  *  than a tenth of an accuracy that was set, count as resting. Beyond Karma.
  *  @{ */
+/** m/s. A number that is not finite gets a warning and changes nothing. */
 MEPUBLIC void MEAPI MdtWorldSetAccuracy(const MdtWorldID w, const MeReal velocity);
 /** The value that was set, or else the default for the last step's length and partitions without joints. */
 MEPUBLIC MeReal MEAPI MdtWorldGetAccuracy(const MdtWorldID w);
@@ -364,7 +387,9 @@ MEPUBLIC MeReal MEAPI MdtWorldGetAccuracy(const MdtWorldID w);
  *  first friction rows, then contacts between bodies, then contacts with the world, each from the shallowest to the
  *  deepest. Joints keep their rows, and every contact group keeps one contact, so more than @a size rows may be left.
  *  @{ */
+/** Rows. A number that is not positive gets a warning and changes nothing. */
 MEPUBLIC void MEAPI MdtWorldSetMaxMatrixSize(const MdtWorldID w, const int size);
+/** Rows; INT_MAX by default. */
 MEPUBLIC int MEAPI MdtWorldGetMaxMatrixSize(const MdtWorldID w);
 /** The importance that @a cb returns replaces depth, and the distinction between bodies and world. Null restores the
  *  default. It must not move bodies; objects that it creates or destroys are processed later (docs/simulation.md,
