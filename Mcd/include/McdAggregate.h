@@ -47,7 +47,9 @@ MEPUBLIC MeMatrix4Ptr MEAPI McdAggregateGetElementTransformPtr(McdAggregateID a,
 
 /** @name The type's functions, as every type has them: see McdGeometryDeclare.h
  *  @{ */
+/** kMcdGeometryTypeAggregate. */
 MEPUBLIC MeI16 MEAPI McdAggregateGetTypeId(void);
+/** "Aggregate"; the argument is ignored. */
 MEPUBLIC char *MEAPI McdAggregateGetTypeName(McdGeometryID g);
 /** Also releases the references to its elements. */
 MEPUBLIC void MEAPI McdAggregateDestroy(McdGeometryID g);
@@ -55,9 +57,11 @@ MEPUBLIC void MEAPI McdAggregateDestroy(McdGeometryID g);
 MEPUBLIC void MEAPI McdAggregateUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight);
 /** The smaller one of a sphere around the elements' spheres and a sphere around the box. */
 MEPUBLIC void MEAPI McdAggregateGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius);
+/** World frame: the farthest of its children's points in a direction; its own place if it has none. */
 MEPUBLIC void MEAPI McdAggregateMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint);
 /** The sum over the elements; overlaps count twice. Elements without a volume are ignored; 0 if no element has one. */
 MEPUBLIC MeI16 MEAPI McdAggregateGetMassProperties(McdGeometryID g, MeMatrix4 relTM, MeMatrix3 m, MeReal *volume);
+/** Draws all its elements. */
 MEPUBLIC void MEAPI McdAggregateDebugDraw(const McdGeometryID g, const MeMatrix4 tm, const MeReal colour[3]);
 /** @} */
 

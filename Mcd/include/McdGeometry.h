@@ -71,8 +71,11 @@ MEPUBLIC void MEAPI McdGeometryDeinit(McdGeometryID g);
 /** The number of models and aggregates that use it: McdGeometryDestroy refuses above 0. A type of a program changes it
  *  only for references of its own. */
 MEPUBLIC int MEAPI McdGeometryGetReferenceCount(const McdGeometryID g);
+/** Sets the number; the program then answers for the references that were counted. */
 MEPUBLIC void MEAPI McdGeometrySetReferenceCount(McdGeometryID g, int refCount);
+/** Adds a reference of the program's own: the geometry cannot be destroyed meanwhile. */
 MEPUBLIC void MEAPI McdGeometryIncrementReferenceCount(McdGeometryID g);
+/** Ends such a reference. */
 MEPUBLIC void MEAPI McdGeometryDecrementReferenceCount(McdGeometryID g);
 /** @} */
 

@@ -67,6 +67,7 @@ MEPUBLIC void MEAPI McdMeshSetVertices(McdMeshID mesh, const MeVector3 *vertices
 MEPUBLIC int MEAPI McdMeshGetFlags(McdMeshID mesh);
 /** As given at creation, welded and left-out ones included. */
 MEPUBLIC int MEAPI McdMeshGetVertexCount(McdMeshID mesh);
+/** As given at creation, left-out ones included. */
 MEPUBLIC int MEAPI McdMeshGetTriangleCount(McdMeshID mesh);
 /** The number of triangles that were left out at creation. */
 MEPUBLIC int MEAPI McdMeshGetLeftOutCount(McdMeshID mesh);

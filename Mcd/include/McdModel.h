@@ -71,8 +71,11 @@ MEPUBLIC void MEAPI McdModelCompoundTransforms(McdModelID cm);
 /** Velocities in the world frame, by pointer: m/s of the transform's origin, and rad/s; null: none. Used by
  *  McdSafeTime and by path updates. */
 MEPUBLIC void MEAPI McdModelSetLinearVelocityPtr(McdModelID cm, MeReal *velocity);
+/** The same for the rotation, rad/s. A model with a body has the body's. */
 MEPUBLIC void MEAPI McdModelSetAngularVelocityPtr(McdModelID cm, MeReal *velocity);
+/** The pointer set last; null by default. */
 MEPUBLIC MeReal *MEAPI McdModelGetLinearVelocityPtr(McdModelID cm);
+/** The pointer set last; null by default. */
 MEPUBLIC MeReal *MEAPI McdModelGetAngularVelocityPtr(McdModelID cm);
 /** @} */
 
@@ -86,6 +89,7 @@ MEPUBLIC void MEAPI McdModelUpdatePath(McdModelID cm, MeReal motionDuration);
 MEPUBLIC void MEAPI McdModelUpdatePathCompatible(McdModelID cm, MeReal dummy);
 /** Called when the model is updated, before its boxes are computed (docs/simulation.md, "Callbacks"); null: none. */
 MEPUBLIC void MEAPI McdModelSetUpdateCallback(McdModelID cm, McdModelUpdateFnPtr f);
+/** Null by default. */
 MEPUBLIC McdModelUpdateFnPtr MEAPI McdModelGetUpdateCallback(McdModelID cm);
 /** @} */
 
@@ -95,12 +99,14 @@ MEPUBLIC McdModelUpdateFnPtr MEAPI McdModelGetUpdateCallback(McdModelID cm);
 MEPUBLIC McdSpaceID MEAPI McdModelGetSpace(McdModelID cm);
 /** The material: 0 or more; default 0. It selects the Simulation Toolkit's contact parameters. */
 MEPUBLIC void MEAPI McdModelSetMaterial(McdModelID cm, int material);
+/** 0 by default. */
 MEPUBLIC unsigned int MEAPI McdModelGetMaterial(McdModelID cm);
 /**
  * The contact tolerance, >= 0, m. There are contacts where the gap between two models is at most the sum of their
  * tolerances, so that resting contacts persist.
  */
 MEPUBLIC void MEAPI McdModelSetContactTolerance(McdModelID cm, MeReal tolerance);
+/** m. Default .01 of the length scale (McdFrameworkGetDefaultContactTolerance). */
 MEPUBLIC MeReal MEAPI McdModelGetContactTolerance(McdModelID cm);
 /**
  * Continuous collision detection: whether the space enlarges the model's box along its motion, so that it finds pairs
@@ -108,6 +114,7 @@ MEPUBLIC MeReal MEAPI McdModelGetContactTolerance(McdModelID cm);
  * then moves it from impact to impact. Default: no.
  */
 MEPUBLIC void MEAPI McdModelSetSwept(McdModelID cm, MeBool swept);
+/** MEFALSE by default. */
 MEPUBLIC MeBool MEAPI McdModelIsSwept(McdModelID cm);
 /**
  * The gap (m) up to which a fast model gets contacts; 0 if it is not fast. A swept model is fast if, at the space's
@@ -120,6 +127,7 @@ MEPUBLIC MeReal MEAPI McdModelGetFastMargin(McdModelID cm);
  * contacts. Default: no. Legal anywhere. Beyond Karma.
  */
 MEPUBLIC void MEAPI McdModelSetSensor(McdModelID cm, MeBool sensor);
+/** MEFALSE by default. */
 MEPUBLIC MeBool MEAPI McdModelIsSensor(McdModelID cm);
 /**
  * Collision filter: two models form a pair only if the category of each has a bit that is set in the mask of the other.
@@ -131,18 +139,24 @@ MEPUBLIC MeBool MEAPI McdModelIsSensor(McdModelID cm);
 MEPUBLIC void MEAPI McdModelSetFilter(McdModelID cm, MeU32 category, MeU32 mask);
 /** The group of McdModelSetFilter; 0: none. */
 MEPUBLIC void MEAPI McdModelSetFilterGroup(McdModelID cm, int group);
+/** 1 by default. */
 MEPUBLIC MeU32 MEAPI McdModelGetFilterCategory(McdModelID cm);
+/** 0xffffffff by default. */
 MEPUBLIC MeU32 MEAPI McdModelGetFilterMask(McdModelID cm);
+/** 0 by default. */
 MEPUBLIC int MEAPI McdModelGetFilterGroup(McdModelID cm);
 /** Sort key, 0 .. 32767: pairs are in the order of sort keys, then of creation. Default 0. Not while in a space. */
 MEPUBLIC void MEAPI McdModelSetSortKey(McdModelID cm, MeI16 key);
+/** 0 by default. */
 MEPUBLIC MeI16 MEAPI McdModelGetSortKey(McdModelID cm);
 /** Index for McduRequestTable: 0 .. its idMaxCount - 1. Default: McdModelGetDefaultRequestID(). */
 MEPUBLIC void MEAPI McdModelSetRequestID(McdModelID cm, int requestId);
+/** McdModelGetDefaultRequestID() by default. */
 MEPUBLIC int MEAPI McdModelGetRequestID(McdModelID cm);
 #define McdModelGetDefaultRequestID() 0
 /** Called after McdIntersect for each pair of this model (docs/simulation.md, "Callbacks"); null: none. */
 MEPUBLIC void MEAPI McdModelSetIntersectCallback(McdModelID cm, McdModelIntersectFnPtr fn);
+/** Null by default. */
 MEPUBLIC McdModelIntersectFnPtr MEAPI McdModelGetIntersectCallback(McdModelID cm);
 /** @} */
 
@@ -150,9 +164,11 @@ MEPUBLIC McdModelIntersectFnPtr MEAPI McdModelGetIntersectCallback(McdModelID cm
  *  @{ */
 /** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI McdModelSetUserData(McdModelID cm, void *data);
+/** The pointer of McdModelSetUserData; null by default. */
 MEPUBLIC void *MEAPI McdModelGetUserData(McdModelID cm);
 /** The body; the Simulation Toolkit's McdModelSetBody and McdModelGetBody know its type. */
 MEPUBLIC void MEAPI McdModelSetBodyData(McdModelID cm, void *body);
+/** The pointer of McdModelSetBodyData; null by default. */
 MEPUBLIC void *MEAPI McdModelGetBodyData(McdModelID cm);
 /** @} */
 

@@ -25,6 +25,7 @@ MEPUBLIC void MEAPI McdModelPairGetModels(McdModelPairID p, McdModelID *m1, McdM
 MEPUBLIC void MEAPI McdModelPairGetGeometryNames(McdModelPairID p, const char **name1, const char **name2);
 /** A pointer of the program's, which nothing reads. Default null. */
 MEPUBLIC void MEAPI McdModelPairSetUserData(McdModelPairID p, void *data);
+/** The pointer of McdModelPairSetUserData; null by default. */
 MEPUBLIC void *MEAPI McdModelPairGetUserData(McdModelPairID p);
 
 ME_END_C

@@ -25,8 +25,11 @@ MEPUBLIC void MEAPI McdModelPairContainerReset(McdModelPairContainer *c);
 /** @name Adding and removing. Returns 1 if there was room.
  *  McdSpaceGetPairs fills a container; programs with pairs of their own insert them by these.
  *  @{ */
+/** Puts it before the other hello pairs. */
 MEPUBLIC MeBool MEAPI McdModelPairContainerInsertHelloPair(McdModelPairContainer *c, McdModelPairID p);
+/** Puts it behind the other staying pairs. */
 MEPUBLIC MeBool MEAPI McdModelPairContainerInsertStayingPair(McdModelPairContainer *c, McdModelPairID p);
+/** Puts it behind the other goodbye pairs. */
 MEPUBLIC MeBool MEAPI McdModelPairContainerInsertGoodbyePair(McdModelPairContainer *c, McdModelPairID p);
 /** Removes the pair at a position in the array, p = &array[i]; the other pairs of its list keep their order. */
 MEPUBLIC void MEAPI McdModelPairContainerRemovePair(McdModelPairContainer *c, McdModelPairID *p);
@@ -35,11 +38,17 @@ MEPUBLIC void MEAPI McdModelPairContainerRemovePair(McdModelPairContainer *c, Mc
 /** @name Contents. The arrays are valid until the container changes.
  *  @a count receives the number of pairs in the array that is returned.
  *  @{ */
+/** 0, with a warning, for null. */
 MEPUBLIC int MEAPI McdModelPairContainerGetHelloCount(McdModelPairContainer *c);
+/** 0, with a warning, for null. */
 MEPUBLIC int MEAPI McdModelPairContainerGetStayingCount(McdModelPairContainer *c);
+/** 0, with a warning, for null. */
 MEPUBLIC int MEAPI McdModelPairContainerGetGoodbyeCount(McdModelPairContainer *c);
+/** The hello pairs; the container owns the array. */
 MEPUBLIC McdModelPair **MEAPI McdModelPairContainerGetHelloArray(McdModelPairContainer *c, int *count);
+/** The staying pairs; the container owns the array. */
 MEPUBLIC McdModelPair **MEAPI McdModelPairContainerGetStayingArray(McdModelPairContainer *c, int *count);
+/** The goodbye pairs; the container owns the array. */
 MEPUBLIC McdModelPair **MEAPI McdModelPairContainerGetGoodbyeArray(McdModelPairContainer *c, int *count);
 /** Sets an iterator for McdIntersectEach to the first hello pair. */
 MEPUBLIC void MEAPI McdModelPairContainerIteratorInit(McdModelPairContainerIterator *it, McdModelPairContainer *c);

@@ -64,8 +64,10 @@ MEPUBLIC MeBool MEAPI McdModelPairManagerGetTransitions(McdModelPairManagerID ma
 /** @name Callback for pairs without room (McdModelPairManagerActivate); null, the default: one warning
  *  It may do anything but change the manager (docs/simulation.md, "Callbacks").
  *  @{ */
+/** Called in McdModelPairManagerActivate, which then returns MEFALSE. */
 MEPUBLIC void MEAPI McdModelPairManagerSetPoolFullHandler(McdModelPairManagerID manager,
                                                           McdSpacePoolErrorFnPtr handler);
+/** Null by default. */
 MEPUBLIC McdSpacePoolErrorFnPtr MEAPI McdModelPairManagerGetPoolFullHandler(McdModelPairManagerID manager);
 /** @} */
 

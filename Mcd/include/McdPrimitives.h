@@ -25,6 +25,7 @@ MEPUBLIC void MEAPI McdPrimitivesRegisterTypes(McdFramework *frame);
 MEPUBLIC MeBool MEAPI McdPrimitivesRegisterInteractions(McdFramework *frame);
 /** Registers the types, and the interactions, of sphere, box and plane only, so that less is linked. */
 MEPUBLIC void MEAPI McdSphereBoxPlaneRegisterTypes(McdFramework *frame);
+/** Registers those of each two of the three, except of planes with each other. */
 MEPUBLIC void MEAPI McdSphereBoxPlaneRegisterInteractions(McdFramework *frame);
 
 ME_END_C

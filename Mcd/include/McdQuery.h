@@ -84,6 +84,7 @@ MEPUBLIC int MEAPI McdSpaceCastRay(McdSpaceID space, const MeVector3 from, const
 
 /** Whether queries of the space, including the line segments of McdSpace.h, find sensors. Default: no. */
 MEPUBLIC void MEAPI McdSpaceSetQuerySensors(McdSpaceID space, MeBool on);
+/** MEFALSE by default. */
 MEPUBLIC MeBool MEAPI McdSpaceGetQuerySensors(McdSpaceID space);
 
 ME_END_C

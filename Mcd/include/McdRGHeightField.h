@@ -44,7 +44,9 @@ MEPUBLIC void MEAPI McdRGHeightFieldSetHeights(McdRGHeightFieldID g, const MeRea
 MEPUBLIC void MEAPI McdRGHeightFieldUpdateHeights(McdRGHeightFieldID g);
 /** Numbers of points, distances of points (m), and the place of the first one (m), as given at creation. */
 MEPUBLIC void MEAPI McdRGHeightFieldGetCounts(McdRGHeightFieldID g, int *xCount, int *yCount);
+/** m, > 0: distances of points along x and y. */
 MEPUBLIC void MEAPI McdRGHeightFieldGetSteps(McdRGHeightFieldID g, MeReal *xStep, MeReal *yStep);
+/** m: place of point (0, 0) in the field's frame. */
 MEPUBLIC void MEAPI McdRGHeightFieldGetOrigin(McdRGHeightFieldID g, MeReal *x0, MeReal *y0);
 /** Gets the height of the surface at (x, y) in its own frame and, unless @a normal is null, the surface normal. Returns
  *  false, and writes nothing, where there is no surface. */
@@ -54,10 +56,15 @@ MEPUBLIC MeBool MEAPI McdRGHeightFieldGetHeightAt(McdRGHeightFieldID g, MeReal x
 
 /** @name The type's functions, as every type has them: see McdGeometryDeclare.h
  *  @{ */
+/** kMcdGeometryTypeRGHeightField. */
 MEPUBLIC MeI16 MEAPI McdRGHeightFieldGetTypeId(void);
+/** "RGHeightField"; the argument is ignored. */
 MEPUBLIC char *MEAPI McdRGHeightFieldGetTypeName(McdGeometryID g);
+/** McdGeometryDestroy for height fields. The program's heights are not freed. */
 MEPUBLIC void MEAPI McdRGHeightFieldDestroy(McdGeometryID g);
+/** Sets the instance's box at its transform and, unless null, at @a finalTM; @a tight has no effect. */
 MEPUBLIC void MEAPI McdRGHeightFieldUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight);
+/** The sphere around its box, in its own frame, m. */
 MEPUBLIC void MEAPI McdRGHeightFieldGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius);
 /** The farthest corner of its box. */
 MEPUBLIC void MEAPI McdRGHeightFieldMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir,
@@ -72,17 +79,29 @@ MEPUBLIC void MEAPI McdRGHeightFieldDebugDraw(const McdGeometryID g, const MeMat
  *  Each Intersect function finds the contacts of a pair whose first model is convex and whose second is a height
  *  field; the RegisterInteraction functions register it with the framework and return 1.
  *  @{ */
+/** Contacts of a sphere with the surface. Returns 1 if there are any. */
 MEPUBLIC int MEAPI McdSphereRGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result);
+/** Contacts of a box with the surface. Returns 1 if there are any. */
 MEPUBLIC int MEAPI McdBoxRGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result);
+/** Contacts of a cylinder with the surface. Returns 1 if there are any. */
 MEPUBLIC int MEAPI McdCylinderRGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result);
+/** Contacts of a sphyl with the surface. Returns 1 if there are any. */
 MEPUBLIC int MEAPI McdSphylRGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result);
+/** Contacts of a hull with the surface. Returns 1 if there are any. */
 MEPUBLIC int MEAPI McdConvexMeshRGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result);
+/** Contacts of a cone with the surface. Returns 1 if there are any. */
 MEPUBLIC int MEAPI McdConeRGHeightFieldIntersect(McdModelPair *p, McdIntersectResult *result);
+/** Registers spheres with height fields; 0 if @a frame is no framework. */
 MEPUBLIC MeBool MEAPI McdSphereRGHeightFieldRegisterInteraction(McdFramework *frame);
+/** Registers boxes with height fields; 0 if @a frame is no framework. */
 MEPUBLIC MeBool MEAPI McdBoxRGHeightFieldRegisterInteraction(McdFramework *frame);
+/** Registers cylinders with height fields; 0 if @a frame is no framework. */
 MEPUBLIC MeBool MEAPI McdCylinderRGHeightFieldRegisterInteraction(McdFramework *frame);
+/** Registers sphyls with height fields; 0 if @a frame is no framework. */
 MEPUBLIC MeBool MEAPI McdSphylRGHeightFieldRegisterInteraction(McdFramework *frame);
+/** Registers hulls with height fields; 0 if @a frame is no framework. */
 MEPUBLIC MeBool MEAPI McdConvexMeshRGHeightFieldRegisterInteraction(McdFramework *frame);
+/** Registers cones with height fields; 0 if @a frame is no framework. */
 MEPUBLIC MeBool MEAPI McdConeRGHeightFieldRegisterInteraction(McdFramework *frame);
 /** Registers the intersection of line segments with height fields, from above. */
 MEPUBLIC void MEAPI McdRGHeightFieldLineSegmentRegisterInteraction(McdFramework *frame);

@@ -86,9 +86,11 @@ MEPUBLIC void MEAPI McdSpaceDestroy(McdSpaceID s);
 MEPUBLIC void MEAPI McdSpaceBuild(McdSpaceID s);
 /** A pointer of the program's, which nothing reads. Default null. Legal anywhere. */
 MEPUBLIC void MEAPI McdSpaceSetUserData(McdSpaceID s, void *data);
+/** The pointer of McdSpaceSetUserData; null by default. */
 MEPUBLIC void *MEAPI McdSpaceGetUserData(McdSpaceID s);
 /** Sets the callback for pairs without room (docs/simulation.md, "Callbacks"); null: none. Legal anywhere. */
 MEPUBLIC void MEAPI McdSpaceSetPoolFullHandler(McdSpaceID space, McdSpacePoolErrorFnPtr handler);
+/** Null by default. */
 MEPUBLIC McdSpacePoolErrorFnPtr MEAPI McdSpaceGetPoolFullHandler(McdSpaceID space);
 /** @} */
 
@@ -142,6 +144,7 @@ MEPUBLIC void MEAPI McdSpaceUpdateModel(McdModelID cm);
  * update. Legal anywhere. Beyond Karma.
  */
 MEPUBLIC void MEAPI McdSpaceSetLookAhead(McdSpaceID s, MeReal duration);
+/** s; 0 by default. MstUniverseStep sets it to its step. */
 MEPUBLIC MeReal MEAPI McdSpaceGetLookAhead(McdSpaceID s);
 /** Sets the function that updates boxes; null: McdModelUpdate (McdModelUpdatePath for swept models). Outside only. */
 MEPUBLIC void MEAPI McdSpaceSetAABBFn(McdSpaceID s, McdSpaceUpdateAABBFnPtr updateAABBFn);
@@ -191,6 +194,7 @@ MEPUBLIC int MEAPI McdSpaceGetPairs(McdSpaceID s, McdSpacePairIterator *iter, Mc
 MEPUBLIC int MEAPI McdSpaceGetTransitions(McdSpaceID s, McdSpacePairIterator *iter, McdModelPairContainer *c);
 /** The forms with two arguments. */
 MEPUBLIC int MEAPI McdSpaceGetNextPairs(McdSpaceID s, McdModelPairContainer *c);
+/** McdSpaceGetTransitions, from where the last call ended. */
 MEPUBLIC int MEAPI McdSpaceGetNextTransitions(McdSpaceID s, McdModelPairContainer *c);
 #ifdef __cplusplus
 ME_END_C

@@ -47,12 +47,15 @@ MEPUBLIC McdTriangleListID MEAPI McdTriangleListCreate(McdFramework *frame, MeVe
 MEPUBLIC void MEAPI McdTriangleListGetBoundingBox(McdTriangleListID g, MeVector3 min, MeVector3 max);
 /** Takes effect at the next update of its models. Unless min <= max: a warning, and no change. */
 MEPUBLIC void MEAPI McdTriangleListSetBoundingBox(McdTriangleListID g, MeVector3 min, MeVector3 max);
+/** The callback; null if the list has no triangles. */
 MEPUBLIC McdTriangleListFnPtr MEAPI McdTriangleListGetGenerator(McdTriangleListID g);
 /** Sets another callback; null: no triangles. Call McdGeometryUpdate after it. */
 MEPUBLIC void MEAPI McdTriangleListSetGenerator(McdTriangleListID g, McdTriangleListFnPtr f);
+/** The largest number of triangles that the callback may return. */
 MEPUBLIC int MEAPI McdTriangleListGetMaxTriangles(McdTriangleListID g);
 /** 1 or more; otherwise a warning, and no change. Not from within the callback. */
 MEPUBLIC void MEAPI McdTriangleListSetMaxTriangles(McdTriangleListID g, int max);
+/** The pointer of McdTriangleListSetUserData; null by default. */
 MEPUBLIC void *MEAPI McdTriangleListGetUserData(McdTriangleListID g);
 /** A pointer of the program's, for its callback. Default null. */
 MEPUBLIC void MEAPI McdTriangleListSetUserData(McdTriangleListID g, void *data);
@@ -60,10 +63,15 @@ MEPUBLIC void MEAPI McdTriangleListSetUserData(McdTriangleListID g, void *data);
 
 /** @name The type's functions, as every type has them: see McdGeometryDeclare.h
  *  @{ */
+/** kMcdGeometryTypeTriangleList. */
 MEPUBLIC MeI16 MEAPI McdTriangleListGetTypeId(void);
+/** "TriangleList"; the argument is ignored. */
 MEPUBLIC char *MEAPI McdTriangleListGetTypeName(McdGeometryID g);
+/** McdGeometryDestroy for triangle lists. The program's triangles are not freed. */
 MEPUBLIC void MEAPI McdTriangleListDestroy(McdGeometryID g);
+/** Sets the instance's box at its transform and, unless null, at @a finalTM; @a tight has no effect. */
 MEPUBLIC void MEAPI McdTriangleListUpdateAABB(McdGeometryInstanceID ins, const MeMatrix4Ptr finalTM, MeBool tight);
+/** The sphere around its box, in its own frame, m. */
 MEPUBLIC void MEAPI McdTriangleListGetBSphere(const McdGeometryID g, MeVector3 center, MeReal *radius);
 /** The farthest corner of its box. */
 MEPUBLIC void MEAPI McdTriangleListMaximumPoint(McdGeometryInstanceID ins, MeReal *const inDir, MeReal *const outPoint);
@@ -77,17 +85,29 @@ MEPUBLIC void MEAPI McdTriangleListDebugDraw(const McdGeometryID g, const MeMatr
  *  Each Intersect function finds the contacts of a pair whose first model is convex and whose second is a triangle
  *  list; the RegisterInteraction functions register it with the framework and return 1.
  *  @{ */
+/** Contacts of a sphere with the surface. Returns 1 if there are any. */
 MEPUBLIC int MEAPI McdSphereTriangleListIntersect(McdModelPair *p, McdIntersectResult *result);
+/** Contacts of a box with the surface. Returns 1 if there are any. */
 MEPUBLIC int MEAPI McdBoxTriangleListIntersect(McdModelPair *p, McdIntersectResult *result);
+/** Contacts of a cylinder with the surface. Returns 1 if there are any. */
 MEPUBLIC int MEAPI McdCylinderTriangleListIntersect(McdModelPair *p, McdIntersectResult *result);
+/** Contacts of a sphyl with the surface. Returns 1 if there are any. */
 MEPUBLIC int MEAPI McdSphylTriangleListIntersect(McdModelPair *p, McdIntersectResult *result);
+/** Contacts of a hull with the surface. Returns 1 if there are any. */
 MEPUBLIC int MEAPI McdConvexMeshTriangleListIntersect(McdModelPair *p, McdIntersectResult *result);
+/** Contacts of a cone with the surface. Returns 1 if there are any. */
 MEPUBLIC int MEAPI McdConeTriangleListIntersect(McdModelPair *p, McdIntersectResult *result);
+/** Registers spheres with triangle lists; 0 if @a frame is no framework. */
 MEPUBLIC MeBool MEAPI McdSphereTriangleListRegisterInteraction(McdFramework *frame);
+/** Registers boxes with triangle lists; 0 if @a frame is no framework. */
 MEPUBLIC MeBool MEAPI McdBoxTriangleListRegisterInteraction(McdFramework *frame);
+/** Registers cylinders with triangle lists; 0 if @a frame is no framework. */
 MEPUBLIC MeBool MEAPI McdCylinderTriangleListRegisterInteraction(McdFramework *frame);
+/** Registers sphyls with triangle lists; 0 if @a frame is no framework. */
 MEPUBLIC MeBool MEAPI McdSphylTriangleListRegisterInteraction(McdFramework *frame);
+/** Registers hulls with triangle lists; 0 if @a frame is no framework. */
 MEPUBLIC MeBool MEAPI McdConvexMeshTriangleListRegisterInteraction(McdFramework *frame);
+/** Registers cones with triangle lists; 0 if @a frame is no framework. */
 MEPUBLIC MeBool MEAPI McdConeTriangleListRegisterInteraction(McdFramework *frame);
 /**
  * Registers the intersection of line segments with triangle lists, which the guide does not have; nothing else

@@ -22,10 +22,15 @@ MEPUBLIC void MEAPI McduDebugDrawAABB(const MeVector3 min, const MeVector3 max, 
 MEPUBLIC void MEAPI McduDebugDrawGeometry(const McdGeometryID geometry, const MeMatrix4Ptr tm, const MeReal colour[3]);
 /** @name Geometries of one type; the same as McduDebugDrawGeometry for those
  *  @{ */
+/** @a tm: the sphere's transform in the world. */
 MEPUBLIC void MEAPI McduDebugDrawSphere(const McdSphereID sphere, const MeMatrix4 tm, const MeReal colour[3]);
+/** @a tm: the box's transform in the world. */
 MEPUBLIC void MEAPI McduDebugDrawBox(const McdBoxID box, const MeMatrix4 tm, const MeReal colour[3]);
+/** @a tm: the cylinder's transform in the world. */
 MEPUBLIC void MEAPI McduDebugDrawCylinder(const McdCylinderID cyl, const MeMatrix4 tm, const MeReal colour[3]);
+/** @a tm: the hull's transform in the world. */
 MEPUBLIC void MEAPI McduDebugDrawConvex(const McdConvexMeshID convex, const MeMatrix4 tm, const MeReal colour[3]);
+/** @a tm: the aggregate's transform in the world; draws its elements. */
 MEPUBLIC void MEAPI McduDebugDrawAggregate(const McdAggregateID agg, const MeMatrix4 tm, const MeReal colour[3]);
 /** @} */
 /** Draws a model at its transform. A model without a transform is not drawn. kMcduDebugDrawEnabledOnly is ignored
