@@ -35,17 +35,20 @@ MEPUBLIC MdtContactParamsID MEAPI MstBridgeGetContactParams(const MstBridgeID b,
  *  destroy are removed once all pairs are handled (docs/simulation.md, "Callbacks"). */
 MEPUBLIC void MEAPI MstBridgeSetIntersectCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                             const MstIntersectCBPtr cb);
+/** Null by default. */
 MEPUBLIC MstIntersectCBPtr MEAPI MstBridgeGetIntersectCB(const MstBridgeID b, const MstMaterialID m1,
                                                          const MstMaterialID m2);
 /** Called for each contact that dynamics is to get: it may set the contact's parameters and direction; false deletes
  *  it. */
 MEPUBLIC void MEAPI MstBridgeSetPerContactCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                              const MstPerContactCBPtr cb);
+/** Null by default. */
 MEPUBLIC MstPerContactCBPtr MEAPI MstBridgeGetPerContactCB(const MstBridgeID b, const MstMaterialID m1,
                                                            const MstMaterialID m2);
 /** Called once for all contacts of a pair of models, after the callback for each; false deletes all. */
 MEPUBLIC void MEAPI MstBridgeSetPerPairCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                           const MstPerPairCBPtr cb);
+/** Null by default. */
 MEPUBLIC MstPerPairCBPtr MEAPI MstBridgeGetPerPairCB(const MstBridgeID b, const MstMaterialID m1,
                                                      const MstMaterialID m2);
 /** @} */
@@ -74,6 +77,7 @@ MEPUBLIC void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpa
  * has moved at all is tested. Beyond Karma.
  */
 MEPUBLIC void MEAPI MstBridgeSetContactReuse(const MstBridgeID b, const MeReal part);
+/** MST_CONTACT_REUSE by default; 0, with a warning, for a bad handle. */
 MEPUBLIC MeReal MEAPI MstBridgeGetContactReuse(const MstBridgeID b);
 /** @} */
 

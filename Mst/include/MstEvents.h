@@ -41,6 +41,7 @@ MEPUBLIC const MstEvent *MEAPI MstUniverseGetEvents(const MstUniverseID u, int *
 /** The callback for touch events of a pair of materials (docs/simulation.md, "Callbacks"); null, the default: none. */
 MEPUBLIC void MEAPI MstBridgeSetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2,
                                         const MstTouchCBPtr cb);
+/** Null by default. */
 MEPUBLIC MstTouchCBPtr MEAPI MstBridgeGetTouchCB(const MstBridgeID b, const MstMaterialID m1, const MstMaterialID m2);
 /**
  * Makes the list of events after MdtWorldStep and calls the callbacks: for programs that make the parts of

@@ -80,6 +80,7 @@ MEPUBLIC void MEAPI MstMoverGetPosition(MstMoverID m, MeVector3 position);
 /** Changes its height (m, more than 2 radius), for crouching and standing up; the lowest point stays. Returns false and
  *  changes nothing if the new capsule would overlap something. */
 MEPUBLIC MeBool MEAPI MstMoverSetHeight(MstMoverID m, MeReal height);
+/** m: of the whole capsule; 0, with a warning, for a bad handle. */
 MEPUBLIC MeReal MEAPI MstMoverGetHeight(MstMoverID m);
 
 ME_END_C

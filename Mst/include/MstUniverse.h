@@ -30,8 +30,11 @@ MEPUBLIC void MEAPI MstUniverseDestroy(const MstUniverseID u);
 MEPUBLIC void MEAPI MstUniverseStep(const MstUniverseID u, const MeReal step);
 /** Its parts, which the universe owns. Null, with a warning, if @a u is no universe. */
 MEPUBLIC MdtWorldID MEAPI MstUniverseGetWorld(const MstUniverseID u);
+/** For its geometries, such as McdBoxCreate. */
 MEPUBLIC McdFrameworkID MEAPI MstUniverseGetFramework(const MstUniverseID u);
+/** For queries. Between steps it is inside a change block. */
 MEPUBLIC McdSpaceID MEAPI MstUniverseGetSpace(const MstUniverseID u);
+/** For materials, callbacks and events. */
 MEPUBLIC MstBridgeID MEAPI MstUniverseGetBridge(const MstUniverseID u);
 /**
  * Moves the origin to the point @a shift, between steps: all coordinates lose it, those of bodies, models, joints,

@@ -150,6 +150,7 @@ MEPUBLIC void MEAPI MstVehicleSetGear(MstVehicleID v, int gear);
 MEPUBLIC int MEAPI MstVehicleGetGear(MstVehicleID v);
 /** The automatic chooses gears. Default: yes. */
 MEPUBLIC void MEAPI MstVehicleSetAutomatic(MstVehicleID v, MeBool on);
+/** METRUE by default; MEFALSE after MstVehicleSetGear. */
 MEPUBLIC MeBool MEAPI MstVehicleGetAutomatic(MstVehicleID v);
 /** m/s, of the chassis, forwards. */
 MEPUBLIC MeReal MEAPI MstVehicleGetSpeed(MstVehicleID v);
