@@ -11,6 +11,7 @@ ME_BEGIN_C
 /** @name Inertia tensors of solid bodies, kg m², about the centre, in the axes of the shape
  *  A mass or a size that is not positive and finite gets a warning and the unit matrix.
  *  @{ */
+/** 0.4 mass radius², mass in kg, radius in m, times the unit matrix. */
 MEPUBLIC void MEAPI MdtMakeInertiaTensorSphere(const MeReal mass, const MeReal radius, MeMatrix3 i);
 /** lx, ly, lz: the whole lengths of the edges. */
 MEPUBLIC void MEAPI MdtMakeInertiaTensorBox(const MeReal mass, const MeReal lx, const MeReal ly, const MeReal lz,

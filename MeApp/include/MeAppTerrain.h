@@ -49,7 +49,9 @@ MEPUBLIC void MEAPI MeAppTerrainShow(MeAppTerrain *t, RRender *rc);
  * no such corner.
  */
 MEPUBLIC MeVector3 *MEAPI MeAppTerrainGetCorner(MeAppTerrain *t, int i, int j, int triangle, int corner);
+/** Heights per side, as at creation. */
 MEPUBLIC int MEAPI MeAppTerrainGetPoints(const MeAppTerrain *t);
+/** m: the distance of two heights, as at creation. */
 MEPUBLIC MeReal MEAPI MeAppTerrainGetCell(const MeAppTerrain *t);
 /** @} */
 

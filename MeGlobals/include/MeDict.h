@@ -83,6 +83,7 @@ MEPUBLIC MeDictNode *MEAPI MeDictNodeCreate(void *data);
 MEPUBLIC void MEAPI MeDictNodeDestroy(MeDictNode *node);
 /** The data of a node: given at MeDictNodeInit or MeDictNodeCreate, changed by MeDictNodePut. */
 MEPUBLIC void *MEAPI MeDictNodeGet(MeDictNode *node);
+/** Replaces the data; the old ones are not freed. */
 MEPUBLIC void MEAPI MeDictNodePut(MeDictNode *node, void *data);
 /** The node's key; null while it is in no dictionary. */
 MEPUBLIC const void *MEAPI MeDictNodeGetKey(MeDictNode *node);
@@ -129,13 +130,17 @@ MEPUBLIC MeDictNode *MEAPI MeDictLowerBound(MeDict *dict, const void *key);
 MEPUBLIC MeDictNode *MEAPI MeDictUpperBound(MeDict *dict, const void *key);
 /** The nodes with the smallest and the largest key, by the dictionary's comparison. */
 MEPUBLIC MeDictNode *MEAPI MeDictFirst(MeDict *dict);
+/** The node with the largest key; null if the dictionary is empty. */
 MEPUBLIC MeDictNode *MEAPI MeDictLast(MeDict *dict);
 /** The neighbour of a node in the order of keys; null at the end. */
 MEPUBLIC MeDictNode *MEAPI MeDictNext(MeDict *dict, MeDictNode *node);
+/** The node before; null at the first. */
 MEPUBLIC MeDictNode *MEAPI MeDictPrev(MeDict *dict, MeDictNode *node);
 /** The number of nodes; it is full at the maximum of MeDictInit. */
 MEPUBLIC unsigned long MEAPI MeDictCount(MeDict *dict);
+/** Whether it has no nodes. */
 MEPUBLIC int MEAPI MeDictIsEmpty(MeDict *dict);
+/** Whether it has the largest number of nodes. */
 MEPUBLIC int MEAPI MeDictIsFull(MeDict *dict);
 /** Is this node in the dictionary? */
 MEPUBLIC int MEAPI MeDictContains(MeDict *dict, MeDictNode *node);

@@ -54,9 +54,13 @@ MEPUBLIC void MEAPI MeHashReset(MeHash *table);
 /** @name Functions for keys and data
  *  Null restores the default: the key is its address; keys and data are not freed.
  *  @{ */
+/** Changes where keys are found: only while the table is empty. */
 MEPUBLIC void MEAPI MeHashSetHashFunc(MeHash *table, MeHashFunc hash);
+/** Returns 0 for equal keys. Only while the table is empty. */
 MEPUBLIC void MEAPI MeHashSetKeyCompareFunc(MeHash *table, MeHashCompareFunc compare);
+/** Called with a key whose entry is removed. */
 MEPUBLIC void MEAPI MeHashSetKeyFreeFunc(MeHash *table, MeHashFreeFunc keyFree);
+/** Called with a datum that is removed or replaced. */
 MEPUBLIC void MEAPI MeHashSetDatumFreeFunc(MeHash *table, MeHashFreeFunc datumFree);
 MEPUBLIC int MEAPI MeHashInt(const void *i, int size);                  /**< The key points to an int. */
 MEPUBLIC int MEAPI MeHashIntCompare(const void *k1, const void *k2);    /**< For ints. */

@@ -76,34 +76,54 @@ extern MEPUBLIC MeShow MeInfoShow, MeDebugShow, MeLogShow, MeWarningShow, MeFata
 /** @name Replacing a handler or a show function
  *  Each returns the previous one. Null restores the default.
  *  @{ */
+/** Of MeInfo. */
 MEPUBLIC MeHandler MEAPI MeSetInfoHandler(MeHandler n);
+/** Of MeDebug. */
 MEPUBLIC MeHandler MEAPI MeSetDebugHandler(MeHandler n);
+/** Of MeLog. */
 MEPUBLIC MeHandler MEAPI MeSetLogHandler(MeHandler n);
+/** Of MeWarning. The default one shows a text twice only. */
 MEPUBLIC MeHandler MEAPI MeSetWarningHandler(MeHandler n);
+/** Of MeFatalError. The default one ends the program; if yours returns, functions return their neutral results. */
 MEPUBLIC MeHandler MEAPI MeSetFatalErrorHandler(MeHandler n);
+/** Of MeInfo; by default MeShowStdout. */
 MEPUBLIC MeShow MEAPI MeSetInfoShow(MeShow n);
+/** Of MeDebug. */
 MEPUBLIC MeShow MEAPI MeSetDebugShow(MeShow n);
+/** Of MeLog; by default MeShowStderr. */
 MEPUBLIC MeShow MEAPI MeSetLogShow(MeShow n);
+/** Of MeWarning; by default MeShowStderr. */
 MEPUBLIC MeShow MEAPI MeSetWarningShow(MeShow n);
+/** Of MeFatalError; by default MeShowStderr. */
 MEPUBLIC MeShow MEAPI MeSetFatalErrorShow(MeShow n);
 /** @} */
 
 /** @name The default handlers: format, then show
  *  @{ */
+/** Of MeInfo. */
 MEPUBLIC void MEAPI MeHandlerInfo(const int level, const char *const format, va_list ap);
+/** Of MeDebug. */
 MEPUBLIC void MEAPI MeHandlerDebug(const int level, const char *const format, va_list ap);
+/** Of MeLog. */
 MEPUBLIC void MEAPI MeHandlerLog(const int level, const char *const format, va_list ap);
+/** Of MeWarning: shows a text twice only, unless 64 other texts came in between. */
 MEPUBLIC void MEAPI MeHandlerWarning(const int level, const char *const format, va_list ap);
+/** Of MeFatalError: calls abort() after the text. */
 MEPUBLIC void MEAPI MeHandlerFatalError(const int level, const char *const format, va_list ap);
 /** @} */
 
 /** @name Available show functions
  *  The dialog and the two "Crt" ones have no counterpart on this platform and print on stderr.
  *  @{ */
+/** Prints the text and a newline on stdout. */
 MEPUBLIC void MEAPI MeShowStdout(const int level, const char *const string);
+/** Prints the text and a newline on stderr. */
 MEPUBLIC void MEAPI MeShowStderr(const int level, const char *const string);
+/** MeShowStderr. */
 MEPUBLIC void MEAPI MeShowDialog(const int level, const char *const string);
+/** MeShowStderr. */
 MEPUBLIC void MEAPI MeShowCrtErr(const int level, const char *const string);
+/** MeShowStderr. */
 MEPUBLIC void MEAPI MeShowCrtWarn(const int level, const char *const string);
 /** @} */
 

@@ -59,7 +59,9 @@ MEPUBLIC int MEAPI MeTaskPoolGetWorkers(MeTaskPoolID pool);
  *  The callbacks that MdtWorldSetTaskPool sets; programs may use them for their own tasks. @a pool is a MeTaskPoolID.
  *  Thread-safe.
  *  @{ */
+/** A MeEnqueueTaskCB. Null, with a warning, for a null pool or task. */
 MEPUBLIC void *MEAPI MeTaskPoolEnqueue(MeTaskCB task, void *taskContext, void *pool);
+/** A MeFinishTaskCB: the waiting thread runs tasks meanwhile. */
 MEPUBLIC void MEAPI MeTaskPoolFinish(void *userTask, void *pool);
 /** @} */
 

@@ -39,11 +39,14 @@ MEPUBLIC int MEAPI MeTeamGetSize(const MeTeam *team);
 /** @name Work
  *  To be called by one thread. Open and close may be nested. A null team runs everything on the calling thread.
  *  @{ */
+/** Enqueues the tasks, one for each further worker, unless they still run. */
 MEPUBLIC void MEAPI MeTeamOpen(MeTeam *team);
+/** Waits for the tasks to end, unless MeTeamKeep was called. */
 MEPUBLIC void MEAPI MeTeamClose(MeTeam *team);
 /** Keeps the tasks of a team running when it is closed, until MeTeamRelease: a sleeping thread takes up to .35 ms to
  *  wake. Workers spin while the calling thread works alone in between. */
 MEPUBLIC void MEAPI MeTeamKeep(MeTeam *team);
+/** Ends the tasks that MeTeamKeep kept. Not while the team is open. */
 MEPUBLIC void MEAPI MeTeamRelease(MeTeam *team);
 /** Processes all items, then returns. If the team is null, not open, or in a loop already, the calling thread processes
  *  them alone, in order. Messages of the items are sent after the loop, in the order of items. */

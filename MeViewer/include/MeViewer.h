@@ -130,6 +130,7 @@ extern MEPUBLIC const float RPalette[8][4];
  *  drawn 60 times a second; without one, frames follow each other as fast as possible. Without a window, and with
  *  `-frames`, help that the program shows before RRun stays hidden and does not pause it.
  *  @{ */
+/** RRun for a tick with @a userdata, which may be null. */
 MEPUBLIC void MEAPI RRunWithData(RRender *rc, RMainLoopCallBack func, void *userdata);
 /** @a unused gives both functions the same parameters. */
 MEPUBLIC void MEAPI RRunWithoutData(RRender *rc, RMainLoopCallBackNoData func, void *unused);
@@ -139,7 +140,9 @@ MEPUBLIC void MEAPI RRunWithoutData(RRender *rc, RMainLoopCallBackNoData func, v
  *  Graphics in a list are drawn. Functions that create graphics add them to a list, except RGraphicCreateEmpty. A
  *  graphic in no list is owned by the program, which must destroy it.
  *  @{ */
+/** @a is2D: the list of 2D graphics, else that of 3D ones. A graphic in a list gets a warning. */
 MEPUBLIC void MEAPI RGraphicAddToList(RRender *rc, RGraphic *rg, int is2D);
+/** It is not drawn any more, and belongs to the program. */
 MEPUBLIC void MEAPI RGraphicRemoveFromList(RRender *rc, RGraphic *rg, int is2D);
 /** Removes a graphic from a list, given by @a is2D, and frees it. */
 MEPUBLIC void MEAPI RGraphicDelete(RRender *rc, RGraphic *rg, int is2D);
@@ -164,6 +167,7 @@ MEPUBLIC RGraphic *MEAPI RGraphicCylinderCreate(RRender *rc, AcmeReal radius, Ac
 /** A frustum or prism with @a sides sides (3 to 1024), along z from @a bottom to @a top (z coordinates). */
 MEPUBLIC RGraphic *MEAPI RGraphicFrustumCreate(RRender *rc, AcmeReal bottomRadius, AcmeReal topRadius, AcmeReal bottom,
                                                AcmeReal top, int sides, const float color[4], MeMatrix4Ptr matrix);
+/** A sphere about the origin, with as many sides as RRenderSetSphereResolution says. */
 MEPUBLIC RGraphic *MEAPI RGraphicSphereCreate(RRender *rc, AcmeReal radius, const float color[4], MeMatrix4Ptr matrix);
 /** A capsule: a cylinder of @a height along z with a hemisphere on each end. */
 MEPUBLIC RGraphic *MEAPI RGraphicSphylCreate(RRender *rc, AcmeReal radius, AcmeReal height, const float color[4],
@@ -186,6 +190,7 @@ MEPUBLIC RGraphic *MEAPI RGraphicGroundPlaneCreate(RRender *rc, AcmeReal side_le
  * texture. The option -ground overrides it. An addition to the 1.2 interface.
  */
 MEPUBLIC void MEAPI RRenderSetGroundLook(RRender *rc, int look);
+/** -1 by default. */
 MEPUBLIC int MEAPI RRenderGetGroundLook(RRender *rc);
 /** A line as a graphic, drawn like native lines. */
 MEPUBLIC RGraphic *MEAPI RGraphicLineCreate(RRender *rc, const AcmeReal origin[3], const AcmeReal end[3],
@@ -237,6 +242,7 @@ MEPUBLIC void MEAPI RRenderSkydomeCreate(RRender *const rc, const char *name, in
 MEPUBLIC RGraphic *MEAPI RGraphicCombine(RRender *rc, RGraphic *a, RGraphic *b, MeMatrix4Ptr transform);
 /** Sets the number of sides of spheres created from now on, 8 to 256 (default 48); they have half as many rings. */
 MEPUBLIC void MEAPI RRenderSetSphereResolution(RRender *r, int res);
+/** 48 by default. */
 MEPUBLIC int MEAPI RRenderGetSphereResolution(RRender *r);
 /** @} */
 
@@ -248,7 +254,9 @@ MEPUBLIC void MEAPI RGraphicSetTransformPtr(RGraphic *g, MeMatrix4Ptr matrix);
 MEPUBLIC void MEAPI RGraphicSetColor(RGraphic *g, const float color[4]);
 /** Gets the ambient colour. */
 MEPUBLIC void MEAPI RGraphicGetColor(RGraphic *g, float color[4]);
+/** Draws its edges only, whatever the quality of the context. */
 MEPUBLIC void MEAPI RGraphicSetWireframe(RGraphic *g, MeBool b);
+/** MEFALSE by default. */
 MEPUBLIC MeBool MEAPI RGraphicIsWireframe(RGraphic *g);
 /** Moves the ends of a line made by RGraphicLineCreate. Returns 0, or 1 with a warning on failure. */
 MEPUBLIC int MEAPI RGraphicLineMoveEnds(RGraphic *lineG, const AcmeReal *origin, const AcmeReal *end);
@@ -276,11 +284,16 @@ MEPUBLIC void MEAPI RRenderUpdateGraphicMatrices(RRender *rc);
 /** @name Native lines
  *  Lines of constant thickness on the screen, not lit.
  *  @{ */
+/** Creates a line and adds it to the list. It follows @a matrix, by pointer; null: world coordinates. */
 MEPUBLIC RNativeLine *MEAPI RNLineCreate(RRender *const rc, const AcmeReal start[3], const AcmeReal end[3],
                                          const AcmeReal color[4], const MeVector4 *const matrix);
+/** In the frame of the line's matrix. */
 MEPUBLIC void MEAPI RNLineMoveEnds(RNativeLine *const line, const AcmeReal start[3], const AcmeReal end[3]);
+/** Red, green, blue and alpha, 0 to 1. */
 MEPUBLIC void MEAPI RNLineSetColor(RNativeLine *line, const AcmeReal color[4]);
+/** For a line that was removed from its list. */
 MEPUBLIC void MEAPI RNLineAddToList(RRender *rc, RNativeLine *line);
+/** It is not drawn any more, and belongs to the program. */
 MEPUBLIC void MEAPI RNLineRemoveFromList(RRender *rc, RNativeLine *line);
 /** Removes a line from its list and frees it. */
 MEPUBLIC void MEAPI RNLineDelete(RRender *rc, RNativeLine *line);
@@ -305,7 +318,9 @@ MEPUBLIC RParticleSystem *MEAPI RParticleSystemCreate(RRender *rc, int numPartic
 /** The same, in no list, with the number of a texture (RRenderTextureCreate); -1: none. */
 MEPUBLIC RParticleSystem *MEAPI RParticleSystemNew(int numParticles, MeVector3 *positions, int tex_id,
                                                    const float color[4], AcmeReal size);
+/** For a system of RParticleSystemNew, or one that was removed. */
 MEPUBLIC void MEAPI RParticleSystemAddToList(RRender *rc, RParticleSystem *ps);
+/** It is not drawn any more, and belongs to the program. */
 MEPUBLIC void MEAPI RParticleSystemRemoveFromList(RRender *rc, RParticleSystem *ps);
 /** Frees; if it is still in a list, removes it first. */
 MEPUBLIC void MEAPI RParticleSystemDestroy(RParticleSystem *ps);
@@ -338,17 +353,25 @@ MEPUBLIC void MEAPI RCameraGetUpAxis(RRender *rc, AcmeVector3 axis);
  * axis, @a theta is unchanged; for a zero direction, both are. An addition to the 1.2 interface.
  */
 MEPUBLIC void MEAPI RCameraFindAngles(RRender *rc, const AcmeVector3 direction, AcmeReal *theta, AcmeReal *phi);
+/** World frame. Distance and angles stay, so the camera moves along. */
 MEPUBLIC void MEAPI RCameraSetLookAt(RRender *rc, const AcmeVector3 lookAt);
+/** World frame; (0, 0, 1) by default. */
 MEPUBLIC void MEAPI RCameraGetLookAt(RRender *rc, AcmeVector3 camlookat);
+/** Distance, theta and phi at once. */
 MEPUBLIC void MEAPI RCameraSetView(RRender *rc, AcmeReal dist, AcmeReal angle, AcmeReal elevation);
+/** World frame: distance and angles follow from both points. */
 MEPUBLIC void MEAPI RCameraSetLookAtAndPosition(RRender *rc, const MeVector3 lookAt, const MeVector3 position);
+/** World frame. */
 MEPUBLIC void MEAPI RCameraGetPosition(RRender *rc, AcmeVector3 pos);
 MEPUBLIC void MEAPI RCameraGetLookDir(RRender *rc, AcmeVector3 dir); /**< Of length 1. */
 MEPUBLIC void MEAPI RCameraGetUp(RRender *rc, AcmeVector3 up);       /**< Of length 1. */
+/** 15 by default. */
 MEPUBLIC AcmeReal MEAPI RCameraGetDistance(RRender *rc);
 MEPUBLIC AcmeReal MEAPI RCameraGetRotation(RRender *rc);  /**< theta */
 MEPUBLIC AcmeReal MEAPI RCameraGetElevation(RRender *rc); /**< phi */
+/** theta */
 MEPUBLIC void MEAPI RCameraSetRotation(RRender *rc, const MeReal rotation);
+/** phi */
 MEPUBLIC void MEAPI RCameraSetElevation(RRender *rc, const MeReal elevation);
 MEPUBLIC void MEAPI RCameraSetOffset(RRender *rc, const MeReal offset); /**< The distance. */
 /** Adds to the distance. */
@@ -359,7 +382,9 @@ MEPUBLIC void MEAPI RCameraRotateAngle(RRender *rc, AcmeReal d_theta);
 MEPUBLIC void MEAPI RCameraRotateElevation(RRender *rc, AcmeReal d_phi);
 /** Move the camera and the look-at point along the camera's axes: right, up, and towards the viewer. */
 MEPUBLIC void MEAPI RCameraPanX(RRender *rc, AcmeReal dist);
+/** Up. */
 MEPUBLIC void MEAPI RCameraPanY(RRender *rc, AcmeReal dist);
+/** Towards the viewer. */
 MEPUBLIC void MEAPI RCameraPanZ(RRender *rc, AcmeReal dist);
 /** Sets the vertical field of view, radians, more than 0 and less than pi; default 0.7. Ends an orthographic view. */
 MEPUBLIC void MEAPI RCameraSetFov(RRender *rc, AcmeReal fov);
@@ -370,10 +395,15 @@ MEPUBLIC void MEAPI RCameraSetFov(RRender *rc, AcmeReal fov);
 MEPUBLIC void MEAPI RCameraSetOrthographicView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
 /** Orthographic views from the sides +z, -z, -x, +x, +y and -y; with z up, from -y, +y, -x, +x, +z and -z. */
 MEPUBLIC void MEAPI RCameraSetFrontView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
+/** From -z; with z up from +y. */
 MEPUBLIC void MEAPI RCameraSetBackView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
+/** From -x. */
 MEPUBLIC void MEAPI RCameraSetLeftView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
+/** From +x. */
 MEPUBLIC void MEAPI RCameraSetRightView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
+/** From +y; with z up from +z. */
 MEPUBLIC void MEAPI RCameraSetTopView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
+/** From -y; with z up from -z. */
 MEPUBLIC void MEAPI RCameraSetBottomView(RRender *rc, AcmeReal zoomFactor, AcmeReal viewDepth);
 /** Sets a view matrix: world to camera, as RRender::m_CameraMatrix. Other camera functions end it. */
 MEPUBLIC void MEAPI RCameraSetMatrix(RRender *rc, MeMatrix4Ptr m);
@@ -393,7 +423,9 @@ MEPUBLIC void MEAPI RCalculatePortalCoordinates(RRender *rc, AcmeReal width, Acm
  *  One ambient light, two directional ones (the first casts shadows), one point light. By default all but the point
  *  light are on. See RRender for their colours.
  *  @{ */
+/** Another value than those of RRenderLight gets a warning. */
 MEPUBLIC void MEAPI RLightSwitchOn(RRender *rc, RRenderLight light);
+/** A light that is off keeps its colours. */
 MEPUBLIC void MEAPI RLightSwitchOff(RRender *rc, RRenderLight light);
 /** @} */
 
@@ -429,32 +461,46 @@ MEPUBLIC int MEAPI RGraphicSetTexture(RRender *rc, RGraphic *rg, const char *fil
  *  (RRenderLeaveMouse). RRenderSetJoystickCallBack is the same for a joystick; it is stored, but never called on this
  *  platform.
  *  @{ */
+/** For a direction button, and a function with user data. */
 MEPUBLIC void MEAPI RRenderSetButtonCallBack(RRender *rc, RButtonList which, RButtonPressCallBack func, void *userdata);
+/** For a direction button, and a function without user data. */
 MEPUBLIC void MEAPI RRenderSetButtonCallBackNoData(RRender *rc, RButtonList which, RButtonPressCallBackNoData func,
                                                    void *unused);
+/** For action @a N, and a function with user data. */
 MEPUBLIC void MEAPI RRenderSetActionCallBack(RRender *rc, int N, RButtonPressCallBack func, void *userdata);
+/** For action @a N, and a function without user data. */
 MEPUBLIC void MEAPI RRenderSetActionCallBackNoData(RRender *rc, int N, RButtonPressCallBackNoData func, void *unused);
 
 /** The same with a text for the help that describes the button. The text is copied; it may be null. */
 MEPUBLIC void MEAPI RRenderSetUpCallBackWithText(RRender *rc, RButtonPressCallBack func, void *userdata,
                                                  const char *text);
+/** For kRButtonDown. */
 MEPUBLIC void MEAPI RRenderSetDownCallBackWithText(RRender *rc, RButtonPressCallBack func, void *userdata,
                                                    const char *text);
+/** For kRButtonLeft. */
 MEPUBLIC void MEAPI RRenderSetLeftCallBackWithText(RRender *rc, RButtonPressCallBack func, void *userdata,
                                                    const char *text);
+/** For kRButtonRight. */
 MEPUBLIC void MEAPI RRenderSetRightCallBackWithText(RRender *rc, RButtonPressCallBack func, void *userdata,
                                                     const char *text);
+/** For kRButtonUp2. */
 MEPUBLIC void MEAPI RRenderSetUp2CallBackWithText(RRender *rc, RButtonPressCallBack func, void *userdata,
                                                   const char *text);
+/** For kRButtonDown2. */
 MEPUBLIC void MEAPI RRenderSetDown2CallBackWithText(RRender *rc, RButtonPressCallBack func, void *userdata,
                                                     const char *text);
+/** For kRButtonLeft2. */
 MEPUBLIC void MEAPI RRenderSetLeft2CallBackWithText(RRender *rc, RButtonPressCallBack func, void *userdata,
                                                     const char *text);
+/** For kRButtonRight2. */
 MEPUBLIC void MEAPI RRenderSetRight2CallBackWithText(RRender *rc, RButtonPressCallBack func, void *userdata,
                                                      const char *text);
+/** For action @a N. */
 MEPUBLIC void MEAPI RRenderSetActionNCallBackWithText(RRender *rc, int N, RButtonPressCallBack func, void *userdata,
                                                       const char *text);
+/** For the left mouse button. */
 MEPUBLIC void MEAPI RRenderSetMouseCallBackWithText(RRender *rc, RMouseCallBack func, void *userdata, const char *text);
+/** Stored, never called on this platform. */
 MEPUBLIC void MEAPI RRenderSetJoystickCallBackWithText(RRender *rc, RJoystickCallBack func, void *userdata,
                                                        const char *text);
 /**
@@ -487,7 +533,9 @@ MEPUBLIC RMenu *MEAPI RMenuCreate(RRender *rc, const char *name);
  * as with its context, is ignored.
  */
 MEPUBLIC void MEAPI RMenuDestroy(RMenu *rm);
+/** Shows the menu in place of the visible one. */
 MEPUBLIC void MEAPI RMenuDisplay(RMenu *rm);
+/** The menu that F9 shows; null: none. */
 MEPUBLIC void MEAPI RRenderSetDefaultMenu(RRender *rc, RMenu *menu);
 /** Adds a toggle; @a func, which may be null, is called with each new state. */
 MEPUBLIC void MEAPI RMenuAddToggleEntry(RMenu *rm, const char *name, RMenuToggleCallback func, MeBool defaultValue);
@@ -497,6 +545,7 @@ MEPUBLIC void MEAPI RMenuAddToggleEntry(RMenu *rm, const char *name, RMenuToggle
  */
 MEPUBLIC void MEAPI RMenuAddValueEntry(RMenu *rm, const char *name, RMenuValueCallback func, MeReal hi, MeReal lo,
                                        MeReal increment, MeReal defaultValue);
+/** Opens @a submenu, whose Left returns here. */
 MEPUBLIC void MEAPI RMenuAddSubmenuEntry(RMenu *rm, const char *name, RMenu *submenu);
 /** @} */
 

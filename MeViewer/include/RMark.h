@@ -20,7 +20,9 @@ typedef void(MEAPI *RMarkCallBack)(RRender *rc, void *userdata);
 /** Sets the callback that draws marks, instead of the previous one; null: none. It must not destroy the context or end
  *  the program. */
 MEPUBLIC void MEAPI RRenderSetMarkCallBack(RRender *rc, RMarkCallBack func, void *userdata);
+/** World frame; @a width in pixels. Only within the callback. */
 MEPUBLIC void MEAPI RMarkLine(RRender *rc, const MeVector3 a, const MeVector3 b, const float color[4], AcmeReal width);
+/** World frame; @a width in pixels. Only within the callback. */
 MEPUBLIC void MEAPI RMarkPoint(RRender *rc, const MeVector3 p, const float color[4], AcmeReal width);
 /** Drawn only if all of it is in front of the camera. */
 MEPUBLIC void MEAPI RMarkTriangle(RRender *rc, const MeVector3 a, const MeVector3 b, const MeVector3 c,

@@ -20,6 +20,7 @@ MEPUBLIC void MEAPI RMenuExecute1Entry(RRender *rc);
 MEPUBLIC void MEAPI RMenuExecute2Entry(RRender *rc);
 /** Shows the default menu, if there is one. */
 MEPUBLIC void MEAPI RRenderDisplayDefaultMenu(RRender *rc);
+/** Hides the visible menu, if there is one. */
 MEPUBLIC void MEAPI RRenderHideCurrentMenu(RRender *rc);
 /** The visible menu, or null. */
 MEPUBLIC RMenu *MEAPI RRenderGetCurrentMenu(RRender *rc);

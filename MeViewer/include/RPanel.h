@@ -43,6 +43,7 @@ MEPUBLIC void MEAPI RPanelShow(RRender *rc, const char *title, MeBool shown);
 MEPUBLIC void MEAPI RPanelText(const char *text);
 /** The same. */
 MEPUBLIC void MEAPI RPanelWrapped(const char *text);
+/** Text in the colour of headings. */
 MEPUBLIC void MEAPI RPanelHeading(const char *text);
 /** Places the next item beside the last one. */
 MEPUBLIC void MEAPI RPanelSameLine(void);
@@ -55,19 +56,23 @@ MEPUBLIC void MEAPI RPanelPlot(const char *label, const float *values, int count
 MEPUBLIC void MEAPI RPanelPicture(int texture, AcmeReal width, AcmeReal height);
 /** Begins a scrollable list, @a lines high; the following items are in it, until RPanelListEnd. */
 MEPUBLIC void MEAPI RPanelListBegin(const char *name, int lines);
+/** Ends the list of RPanelListBegin. */
 MEPUBLIC void MEAPI RPanelListEnd(void);
 /** @} */
 
 /** @name Input
  *  Each returns non-zero in the frame in which the user has changed or clicked it.
  *  @{ */
+/** A button. */
 MEPUBLIC MeBool MEAPI RPanelButton(const char *label);
+/** A tick box; a click changes @a value. */
 MEPUBLIC MeBool MEAPI RPanelCheck(const char *label, MeBool *value);
 /** A slider; warns unless @a low < @a high. A value out of range is shown unchanged until the slider is moved. @a unit
  * may be null. */
 MEPUBLIC MeBool MEAPI RPanelSlider(const char *label, MeReal *value, MeReal low, MeReal high, const char *unit);
 /** The same with equal ways for equal factors: @a low must be above 0. */
 MEPUBLIC MeBool MEAPI RPanelScale(const char *label, MeReal *value, MeReal low, MeReal high, const char *unit);
+/** A slider of whole numbers; warns unless @a low < @a high. */
 MEPUBLIC MeBool MEAPI RPanelWhole(const char *label, int *value, int low, int high);
 /** A choice of one of @a count names. */
 MEPUBLIC MeBool MEAPI RPanelChoice(const char *label, int *which, const char *const names[], int count);
