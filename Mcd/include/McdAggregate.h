@@ -69,14 +69,14 @@ MEPUBLIC void MEAPI McdAggregateDebugDraw(const McdGeometryID g, const MeMatrix4
  *  @{ */
 /**
  * Registers interactions of aggregates with all geometry types registered so far, including the program's, and with
- * each other: where parts come near each other, the interaction of their types is called, with a pair of models that
- * stand for the parts. Interactions that are set already stay. If there is not room for all contacts, they are reduced
- * as by McdContactSimplify. Returns 1.
+ * each other: where children come near each other, the interaction of their types is called, with a pair of models that
+ * stand for the children. Interactions that are set already stay. If there is not room for all contacts, they are
+ * reduced as by McdContactSimplify. Returns 1.
  */
 MEPUBLIC MeBool MEAPI McdAggregateGenericRegisterInteractions(McdFrameworkID frame);
 /** McdAggregateGenericRegisterInteractions and McdAggregateLineSegmentRegisterInteraction. */
 MEPUBLIC void MEAPI McdAggregateRegisterInteractions(McdFrameworkID frame);
-/** Registers the intersection of line segments with aggregates: the first hit over all parts. */
+/** Registers the intersection of line segments with aggregates: the first hit over all children. */
 MEPUBLIC void MEAPI McdAggregateLineSegmentRegisterInteraction(McdFramework *frame);
 /** @} */
 

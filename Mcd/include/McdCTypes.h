@@ -160,17 +160,17 @@ struct _McdContact {
     MeReal separation;  /**< Along the normal: positive for a gap, negative for a penetration. */
     /** Feature id: equal for equal features in consecutive steps, and unique within a result. For two convex
      *  geometries with at most 256 faces each, or one of these and a plane, different features have different ids.
-     *  Otherwise (larger hulls, triangles, parts of aggregates) the id is a hash: two features of a pair have the
+     *  Otherwise (larger hulls, triangles, children of aggregates) the id is a hash: two features of a pair have the
      *  same one with a probability of 2e-10. */
     MeU32 feature;
-    McdGeometryInstanceID instance1; /**< The part of the first model: its own instance, or a child of an aggregate. */
-    McdGeometryInstanceID instance2; /**< The part of the second model. */
-    /** The element of the first model's part: for a triangle list the triangle's McdUserTriangle.triangleData, for a
+    McdGeometryInstanceID instance1; /**< The first model's shape: its own instance, or a child of an aggregate. */
+    McdGeometryInstanceID instance2; /**< The second model's shape. */
+    /** The element of the first model's shape: for a triangle list the triangle's McdUserTriangle.triangleData, for a
      *  mesh or a height field the triangle's number as tag (McdMesh.h, McdRGHeightField.h), for other geometries a
      *  null ptr. */
     McdElementData element1;
-    McdElementData element2; /**< The element of the second model's part. */
-    int dims; /**< The dimension of the region in which the parts touch: 0 a point, 1 a line, 2 an area. */
+    McdElementData element2; /**< The element of the second model's shape. */
+    int dims;                /**< The dimension of the region in which they touch: 0 a point, 1 a line, 2 an area. */
     double exactSeparation;  /**< The separation before rounding to MeReal: use McdContactGetSeparation. */
     double exactPosition[3]; /**< The position before rounding to MeReal: use McdContactGetPosition. */
     double radius[2];        /**< Radii of both surfaces, where round: use McdContactGetRadius. */
@@ -203,10 +203,10 @@ struct _McdLineSegIntersectResult {
     MeVector3 position;             /**< World frame. */
     MeVector3 normal;               /**< The model's outward normal there, length 1. */
     MeReal distance;                /**< From the start of the segment. */
-    McdGeometryInstanceID instance; /**< The part that is hit: the model's own instance, or a child of an aggregate.
+    McdGeometryInstanceID instance; /**< The shape hit: the model's own instance, or a child of an aggregate.
                                          Beyond Karma. */
-    McdElementData element; /**< The part's triangle, as in McdContact.element1; for other geometries a null ptr. Beyond
-                                 Karma. */
+    McdElementData element; /**< The shape's triangle, as in McdContact.element1; for other geometries a null ptr.
+                                 Beyond Karma. */
 };
 
 /** The closest points of two models, see McdDistance. */

@@ -50,8 +50,8 @@ MEPUBLIC double MEAPI McdContactGetRim(const McdContact *c, int side, double axi
 MEPUBLIC MeBool MEAPI McdContactIsVertex(const McdContact *c, int side);
 
 /**
- * The material of a model at the contact: that of the mesh's triangle (McdMesh.h) or else of the part (instance1 or
- * instance2). `side` and bad arguments as for McdContactGetRadius. Beyond Karma.
+ * The material of a model at the contact: that of the mesh's triangle (McdMesh.h) or else of the child shape (instance1
+ * or instance2). `side` and bad arguments as for McdContactGetRadius. Beyond Karma.
  */
 MEPUBLIC unsigned int MEAPI McdContactGetMaterial(const McdContact *c, int side);
 

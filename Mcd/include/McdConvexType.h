@@ -90,7 +90,7 @@ MEPUBLIC MeBool MEAPI McdFrameworkTypeIsConvex(McdFrameworkID frame, int typeId)
 MEPUBLIC McdGeometryID MEAPI McdConvexCreate(McdFrameworkID frame, int typeId, const void *data);
 /** The shape's data; read-only, valid while it lives. Null, with a warning, if it is not such a shape. */
 MEPUBLIC const void *MEAPI McdConvexGetData(McdGeometryID g);
-/** Sets the shape's data, as McdConvexCreate; for bad data a warning, and the shape stays as it is. Also to be called
+/** Sets the shape's data, as McdConvexCreate; for bad data a warning, and the shape stays unchanged. Also to be called
  *  when memory has changed that the data point to. Not while models are tested. */
 MEPUBLIC void MEAPI McdConvexSetData(McdGeometryID g, const void *data);
 

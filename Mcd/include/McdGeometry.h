@@ -56,7 +56,7 @@ MEPUBLIC void MEAPI McdGeometryDebugDraw(const McdGeometryID g, const MeMatrix4P
  * heights.
  *
  * Without the call a change takes effect later for sleeping bodies: pairs with a body that is awake are tested in each
- * step and see the change in the next one; a sleeping body may stay as it is until something wakes it. The box of a
+ * step and see the change in the next one; a sleeping body may stay in place until something wakes it. The box of a
  * height field is not updated: models entirely above or below the old box do not touch heights beyond it. If @a g is
  * not a live geometry: a warning. Beyond Karma; McdRGHeightFieldUpdateHeights is the same for height fields.
  */
@@ -71,7 +71,7 @@ MEPUBLIC void MEAPI McdGeometryDeinit(McdGeometryID g);
 /** The number of models and aggregates that use it: McdGeometryDestroy refuses above 0. A type of a program changes it
  *  only for references of its own. */
 MEPUBLIC int MEAPI McdGeometryGetReferenceCount(const McdGeometryID g);
-/** Sets the number; the program then answers for the references that were counted. */
+/** Sets the number; references that were counted before are lost. */
 MEPUBLIC void MEAPI McdGeometrySetReferenceCount(McdGeometryID g, int refCount);
 /** Adds a reference of the program's own: the geometry cannot be destroyed meanwhile. */
 MEPUBLIC void MEAPI McdGeometryIncrementReferenceCount(McdGeometryID g);

@@ -88,8 +88,8 @@ struct McdTriangleList {
 
 /**
  * Callback of a triangle list: writes at most maxTriangles triangles that are within radius of pos (in the list's
- * frame) and returns their number. The pair's second model has the triangle list; if the list is a part of an
- * aggregate, that model stands for the part. The first model is the one near it; for line segments, and for queries by
+ * frame) and returns their number. The pair's second model has the triangle list; if the list is a child of an
+ * aggregate, that model stands for the child. The first model is the one near it; for line segments, and for queries by
  * geometries without a model (McdQuery.h), it is the same as the second. When contacts are computed, the pair's phase
  * and data are those of the models' pair; else they are zero. The callback must not move models or change their
  * geometries; objects that it destroys are destroyed later (docs/simulation.md, "Callbacks").

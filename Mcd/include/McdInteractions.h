@@ -61,9 +61,9 @@ MEPUBLIC MeBool MEAPI McdIntersectEach(McdModelPairContainer *pairs, McdModelPai
  */
 MEPUBLIC MeBool MEAPI McdSafeTime(McdModelPair *p, MeReal maxTime, McdSafeTimeResult *result);
 /**
- * The distance of two models, and their closest points. Returns 1 if one model has only convex parts, and the other one
- * only convex parts, planes, triangle lists and height fields; the latter two are surfaces without an inside. Otherwise
- * 0, and a result of zeros. Needs no interaction and no McdHello. Beyond Karma.
+ * The distance of two models, and their closest points. Returns 1 if one model has only convex child shapes, and the
+ * other one only convex child shapes, planes, triangle lists and height fields; the latter two are surfaces without an
+ * inside. Otherwise 0, and a result of zeros. Needs no interaction and no McdHello. Beyond Karma.
  */
 MEPUBLIC MeBool MEAPI McdDistance(McdModelPair *p, McdDistanceResult *result);
 /**

@@ -5,7 +5,7 @@
  *  models, but find models by their boxes as of the last update. The querying geometry must be convex (sphere, box,
  *  cylinder, sphyl, cone, convex mesh); it needs no model. Queries find models of convex geometries, planes,
  *  meshes, triangle lists and height fields, and aggregates of these. Meshes, lists and fields are surfaces here,
- *  without an inside: each triangle counts by itself, from both sides; but casts and rays hit triangles that are not
+ *  without an inside: each triangle counts alone, from both sides; but casts and rays hit triangles that are not
  *  two-sided only from their front. If a filter is given, only models for which it returns non-zero are considered.
  *  Lists are in the order of sort keys, then creation; if there is not room for all, the last ones are left out.
  *  Lengths are in the program's unit, everything in the world frame. Frozen and disabled models are found like
@@ -21,7 +21,7 @@ ME_BEGIN_C
 /** The result of McdSpaceGetClosest. */
 typedef struct McdClosestResult {
     McdModelID model;               /**< The closest model. */
-    McdGeometryInstanceID instance; /**< The closest part of it. */
+    McdGeometryInstanceID instance; /**< The closest shape of it. */
     MeReal distance;                /**< Between the surfaces; if they penetrate, the negative depth. */
     MeVector3 position1;            /**< The closest point of the querying geometry. */
     MeVector3 position2;            /**< The closest point of the model. */
@@ -31,9 +31,9 @@ typedef struct McdClosestResult {
 /** The result of McdSpaceCastGeometry and McdSpaceCastRay: the first hit. */
 typedef struct McdCastResult {
     McdModelID model;
-    McdGeometryInstanceID instance; /**< The part that is hit: the model's own instance, or a child of an aggregate. */
-    McdElementData element; /**< The part's triangle, as in McdContact.element1; for other geometries a null ptr. */
-    unsigned int material;  /**< There: that of the mesh's triangle (McdMesh.h), or else of the part. */
+    McdGeometryInstanceID instance; /**< The shape hit: the model's own instance, or a child of an aggregate. */
+    McdElementData element; /**< The shape's triangle, as in McdContact.element1; for other geometries a null ptr. */
+    unsigned int material;  /**< There: that of the mesh's triangle (McdMesh.h), or else of the shape. */
     MeReal fraction;        /**< Fraction of the displacement up to the hit, 0 .. 1. */
     MeVector3 position;     /**< The contact point then. */
     MeVector3 normal;       /**< Length 1, from the model to the cast shape; undefined for a ray that starts inside. */

@@ -33,7 +33,7 @@ MEPUBLIC void MEAPI MdtBSJointSetPositionMotor(const MdtBSJointID j, const MeRea
                                                const MeReal torqueLimit);
 /** The target: the orientation of the first body's frame in that of the second, a quaternion (w, x, y, z), not zero, by
  *  default (1, 0, 0, 0), at the start of the next step; and its angular velocity [rad/s], in the axes of the second
- *  one, from there on; null: it rests. Steps do not change it. */
+ *  one, from there on; null: 0. Steps do not change it. */
 MEPUBLIC void MEAPI MdtBSJointSetMotorTarget(const MdtBSJointID j, const MeVector4 q, const MeVector3 w);
 /** The target orientation, a quaternion (w, x, y, z); (1, 0, 0, 0) if none was set. */
 MEPUBLIC void MEAPI MdtBSJointGetMotorTarget(const MdtBSJointID j, MeVector4 q);

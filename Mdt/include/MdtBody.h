@@ -134,12 +134,12 @@ MEPUBLIC MeReal MEAPI MdtBodyGetKineticEnergy(const MdtBodyID b);
 /** @} */
 
 /** @name Bodies that the program moves (kinematic bodies). Beyond Karma.
- *  Nothing moves them but the program, and they move all that touches them or is tied to them: they push, carry by
- *  friction, and wake. They are in no partition, and make no contacts with fixed models and with each other. They do
- *  not fall asleep; one that does not move costs what a fixed model costs. While disabled they stand still. Where they
- *  leave a body no room, such as doors that close on it, they enter it, and it stays: the fast solver takes over, and
- *  forces of contacts, above some ten times what the load explains, tell only that it is crushed. A motor of a bounded
- *  force stops instead (MdtLimitSetLimitedForceMotor).
+ *  Nothing moves them but the program, and they move all bodies that touch them or that joints connect to them: they
+ *  push, carry by friction, and wake. They are in no partition, and make no contacts with fixed models and with each
+ *  other. They do not fall asleep; one that does not move costs what a fixed model costs. While disabled they stand
+ *  still. Where they leave a body no room, such as doors that close on it, they enter it, and it stays: the fast solver
+ *  takes over, and forces of contacts, above some ten times what the load explains, mean only that it is crushed. A
+ *  motor of a bounded force stops instead (MdtLimitSetLimitedForceMotor).
  *  @{ */
 /** With METRUE the program moves the body from now on, by its velocities (MdtBodySetLinearVelocity and
  *  ...AngularVelocity), which stay as they are, or by MdtBodyMoveTo. With MEFALSE it obeys forces again, with its mass.
@@ -162,8 +162,8 @@ MEPUBLIC void MEAPI MdtBodyMoveTo(const MdtBodyID b, const MeVector3 position, c
  *  A body does not move along a locked axis, and does not turn about one: as if its mass, or its moment of inertia,
  *  were infinite there. The axes are those of the world. Locks hold exactly and need no joint: a game in a plane locks
  *  all bodies to it, a character that must not tip over locks its rotations. Contacts and joints act along the free
- *  axes; those whose directions are within a milliradian of locked ones have no force. What the locks themselves carry
- *  is not reported.
+ *  axes; those whose directions are within a milliradian of locked ones have no force. The forces of the locks are not
+ *  reported.
  *  @{ */
 /** Values of MdtBodySetLockedAxes, which may be added up. */
 typedef enum MdtLockedAxes {
@@ -265,7 +265,7 @@ MEPUBLIC void MEAPI MdtBodyResetImpulses(const MdtBodyID b);
 MEPUBLIC void MEAPI MdtBodySetGravityFactor(const MdtBodyID b, const MeReal factor);
 /** 1 by default. */
 MEPUBLIC MeReal MEAPI MdtBodyGetGravityFactor(const MdtBodyID b);
-/** The largest speed of the centre of mass (m/s), or of the rotation (rad/s), >= 0: a step, or a part of one in
+/** The largest speed of the centre of mass (m/s), or of the rotation (rad/s), >= 0: a step, or a sub-step of
  *  continuous motion, ends with the velocity scaled down to it. The step itself moves the body as without a cap, so a
  *  body that falls at its cap is faster by g h / 2 in the mean over a step of h seconds, and joints feel the cap in the
  *  next step. Kinematic bodies have no cap. Default MEINFINITY: none. Beyond Karma. */

@@ -50,14 +50,14 @@ MEPUBLIC void MEAPI MdtCarWheelGetSteeringAndHingeAxes(const MdtCarWheelID j, co
  *  A new wheel's motor holds the steering at rest with up to 1e9 N m. A negative force counts as 0, which leaves it
  *  free.
  *  @{ */
-/** METRUE: the steering is held as rigidly as a joint, at the angle 0. Default MEFALSE. */
+/** METRUE: the steering is locked as rigidly as a joint, at the angle 0. Default MEFALSE. */
 MEPUBLIC void MEAPI MdtCarWheelSetSteeringLock(const MdtCarWheelID j, const MeBool lock);
 /** MEFALSE by default. */
 MEPUBLIC MeBool MEAPI MdtCarWheelIsSteeringLocked(const MdtCarWheelID j);
 /** rad/s, N m: turns the steering at a velocity. Ends a position motor. */
 MEPUBLIC void MEAPI MdtCarWheelSetSteeringLimitedForceMotor(const MdtCarWheelID j, const MeReal desiredVelocity,
                                                             const MeReal forceLimit);
-/** Beyond Karma: holds the steering at an angle [rad], as MdtCarWheelGetSteeringAngle tells it, in place of a motor
+/** Beyond Karma: holds the steering at an angle [rad], as MdtCarWheelGetSteeringAngle returns it, in place of a motor
  *  of a velocity: as MdtLimitSetPositionMotor (MdtLimit.h), with a frequency [Hz], damping ratio and largest torque
  *  [N m]. The mass is the moment of inertia of wheel and chassis about the steering axis; against friction at the
  *  ground 20 Hz and more hold a wheel. A frequency of 0 gives the steering back to the motor of a velocity. */

@@ -129,9 +129,9 @@ MEPUBLIC void MEAPI MdtConstraintGetJointTorque(const MdtConstraintID c, const u
 
 /** @name Collision between the bodies
  *  The models of jointed bodies collide as all others do. The guide recommends joint limits "wherever possible" to
- *  keep the parts of a joint apart, and contacts elsewhere (Dynamics guide, "Joint Limits versus Contacts"). If shapes
- *  overlap at their joint, such as arm and shoulder, contacts push against the joint: switch collision off. Beyond
- *  Karma.
+ *  keep the bodies of a joint separated, and contacts elsewhere (Dynamics guide, "Joint Limits versus Contacts"). If
+ *  shapes overlap at their joint, such as arm and shoulder, contacts push against the joint: switch collision off.
+ *  Beyond Karma.
  *  @{ */
 /**
  * Whether the joint's bodies collide with each other; by default they do. If not, their models make no contacts, events

@@ -11,9 +11,9 @@
  *  MdtGearEngage. Wheels on parallel axes that mesh on their outside have a positive ratio, those of a belt, or a wheel
  *  in a ring, a negative one.
  *
- *  The gear adds one row, and only couples: each shaft needs a hinge, the rack a prismatic joint. It is held in
- *  position, so that wheels do not get out of phase however long they turn. Where the
- *  housing is a third body, a MdtMimic of the two shafts' joints is the gear.
+ *  The gear adds one row, and only couples: each shaft needs a hinge, the rack a prismatic joint. It corrects
+ *  positions, not velocities alone, so that wheels do not get out of phase however long they turn. Where the housing is
+ *  a third body, a MdtMimic of the two shafts' joints is the gear.
  */
 #ifndef MDTGEAR_H
 #define MDTGEAR_H

@@ -10,7 +10,7 @@
  *
  *  The joints may have up to four bodies, such as two fingers and the hand that carries them. Then the mimic's
  *  partition is solved by the exact solver, also where the program asks for the fast one. Of these bodies one may be
- *  moved by the program (MdtBodySetKinematic). MdtMimicGetForce tells of the first two bodies only.
+ *  moved by the program (MdtBodySetKinematic). MdtMimicGetForce has the first two bodies only.
  *
  *  While one of the joints is disabled, has been destroyed or got other bodies, the mimic does nothing, with a warning
  *  when that begins.
@@ -37,7 +37,7 @@ MEPUBLIC MdtMimicID MEAPI MdtConstraintDCastMimic(const MdtConstraintID c);
 MEPUBLIC void MEAPI MdtMimicSetJoints(const MdtMimicID j, const MdtConstraintID first, const MdtConstraintID second);
 /** The joint of index 0 or 1; null: not set, or destroyed. */
 MEPUBLIC MdtConstraintID MEAPI MdtMimicGetJoint(const MdtMimicID j, const unsigned int jointindex);
-/** The ratio, finite: m/rad where the second joint slides and the first turns. 0: the second joint is held. */
+/** The ratio, finite: m/rad where the second joint slides and the first turns. 0: the second joint is locked. */
 MEPUBLIC void MEAPI MdtMimicSetRatio(const MdtMimicID j, const MeReal ratio);
 /** 1 by default. */
 MEPUBLIC MeReal MEAPI MdtMimicGetRatio(const MdtMimicID j);

@@ -85,8 +85,8 @@ typedef struct MdtReport {
                                 the bodies' radius of gyration) */
     /** The largest velocity error relative to the tolerance of its contact or joint: the accuracy (MdtWorldSetAccuracy)
      *  and a tenth of its bodies' change of velocity, less if it carries more than their own weight or joins unequal
-     *  masses, and at most 1e-4 of a body's size per step. Up to 1: the accuracy is met; 0: by the exact solver, to its
-     *  own tolerance. */
+     *  masses, and at most 1e-4 of a body's size per step. Up to 1: the accuracy is reached; 0: by the exact solver, to
+     *  its own tolerance. */
     MeReal excess;
     MeReal residualForce; /**< N: largest change of a row's force that would remove that velocity (angular: N m) */
     MeReal jointError;    /**< m: largest error of a joint relative to the correction due in this step (angular: rad) */

@@ -89,7 +89,7 @@ MEPUBLIC void MEAPI MdtSkeletalSetPositionMotor(const MdtSkeletalID j, const MeR
                                                 const MeReal dampingRatio, const MeReal torqueLimit);
 /** The target: the orientation of the first axes in that of the second, a quaternion (w, x, y, z), not zero, by
  *  default (1, 0, 0, 0), at the start of the next step; and its angular velocity [rad/s], in the axes of the second
- *  one, from there on; null: it rests. Steps do not change it. */
+ *  one, from there on; null: 0. Steps do not change it. */
 MEPUBLIC void MEAPI MdtSkeletalSetMotorTarget(const MdtSkeletalID j, const MeVector4 q, const MeVector3 w);
 /** The target orientation, a quaternion (w, x, y, z); (1, 0, 0, 0) if none was set. */
 MEPUBLIC void MEAPI MdtSkeletalGetMotorTarget(const MdtSkeletalID j, MeVector4 q);

@@ -58,7 +58,7 @@ MEPUBLIC void MEAPI MdtSpring6SetAngularMotor(const MdtSpring6ID j, int axisinde
                                               MeReal dampingRatio, MeReal torqueLimit);
 /** @} */
 /** @name The target of springs, motors and rigid directions, by default 0: where the first frame is drawn to
- *  At the start of the next step, with its velocity from there on (null: it rests). Steps do not change it.
+ *  At the start of the next step, with its velocity from there on (null: 0). Steps do not change it.
  *  @{ */
 /** m, m/s, along the axes of the second frame, from its origin. */
 MEPUBLIC void MEAPI MdtSpring6SetTargetPosition(const MdtSpring6ID j, const MeVector3 position,

@@ -305,8 +305,7 @@ MEPUBLIC MeReal MEAPI MdtWorldGetWorkBudget(const MdtWorldID w);
  *  MdtSolverAuto, the default, uses the exact solver if that costs no more than the fast one, or if the world's
  *  accounts of exact work pay for it: smaller amounts for partitions whose last step the exact solver solved; larger
  *  amounts for partitions whose fast answer misses the accuracy (MdtWorldSetAccuracy), which have no contacts or whose
- *  bodies bounce, or which are new. docs/solver.md, "Crowds", has the table; MdtReport.why tells which of its rows
- *  applied.
+ *  bodies bounce, or which are new. docs/solver.md, "Crowds", has the table; MdtReport.why names the row that applied.
  *
  *  Whatever is chosen, partitions with rows from callbacks, with more rows than the cap, and, with MdtSolverFast,
  *  without contacts, are solved exactly. With MdtSolverAuto the fast solver solves partitions of more bodies than

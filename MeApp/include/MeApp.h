@@ -101,7 +101,7 @@ MEPUBLIC RGraphic *MEAPI MeAppShowModelAs(MeApp *app, McdModelID m, RGraphic *rg
 /** @} */
 
 /** @name Driving
- *  Additions to the 1.2 interface. RKey.h tells how long a single key has been down.
+ *  Additions to the 1.2 interface. RKey.h has how long a single key has been down.
  *  @{ */
 /** Two keys as an axis: 1 while @a more is down, -1 while @a less is down, 0 while both or none are. Key names are
  *  those of RRenderGetKeyFrames: MeAppGetKeyAxis(app, "Left", "Right"). */

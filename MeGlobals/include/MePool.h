@@ -68,7 +68,7 @@ struct MePoolAPI {
     void(MEAPI *reset)(MePool *pool);
     /** Frees all memory, also of records in use. */
     void(MEAPI *destroy)(MePool *pool);
-    /** Allocates a record, with undefined contents. Null: with a warning that tells the pool's size, if all records are
+    /** Allocates a record, with undefined contents. Null: with a warning that names the pool's size, if all records are
      *  in use; without memory. A fixed pool first reuses released records, the last one first, then allocates records
      *  in the order of addresses. */
     void *(MEAPI *getStruct)(MePool *pool);

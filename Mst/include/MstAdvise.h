@@ -67,7 +67,7 @@ typedef struct MstTrial {
     MstVerdict verdict;      /**< MstVerdictNone for the first trial. */
     int steps;               /**< steps that the copy completed */
     MeReal time;             /**< s per step, median of the rounds */
-    MeReal ratio;            /**< time (or work) relative to the scene as it is, median of the rounds */
+    MeReal ratio;            /**< time (or work) relative to the unchanged scene, median of the rounds */
     MeReal leastRatio;       /**< smallest ratio of the rounds */
     MeReal largestRatio;     /**< largest ratio of the rounds */
     MeReal work;             /**< millions of multiplications per step (MdtReport) */
@@ -82,8 +82,8 @@ typedef struct MstTrial {
 
 /** The result of all trials. Valid during the call of MstAdviceCB. */
 typedef struct MstAdvice {
-    const MstTrial *trial;   /**< first the scene as it is; last all advised settings together, if there are several */
-    int count;               /**< number of trials; 0: not even the scene as it is could be run */
+    const MstTrial *trial;   /**< first the unchanged scene; last all advised settings together, if there are several */
+    int count;               /**< number of trials; 0: not even the unchanged scene could be run */
     int best;                /**< index of the advised trial; 0: change nothing */
     int follow[16];          /**< the trials whose settings make up the best one: itself, or several to be combined */
     int followCount;         /**< number of entries in follow; 0 if best is 0 */

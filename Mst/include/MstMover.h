@@ -4,10 +4,10 @@
  *  Each step a program gives a mover the velocity that its character wants. The mover goes that way as far as it can:
  *  it slides along what is in the way, climbs steps, follows the ground down, does not climb slopes beyond a limit,
  *  rides on what it stands on, and pushes bodies. It keeps a small gap (the skin) from everything, and never passes
- *  through anything that stands still, at any speed. What moves into it pushes it out, if it moves by less than the
- *  capsule's radius in a step. Between surfaces that hold it, such as two steep slopes, it is on ground.
+ *  through anything that stands still, at any speed. A model that moves into it pushes it out, if that moves by less
+ *  than the capsule's radius in a step. Between surfaces that hold it, such as two steep slopes, it is on ground.
  *
- *  A mover is no model: bodies do not feel it but for its pushes, not its weight, and it does not meet other movers.
+ *  A mover is no model: bodies do not feel it but for its pushes, not its weight, and it does not touch other movers.
  *  Move it between steps, outside of callbacks. Models that were inserted into the space since the last step or
  *  McdSpaceUpdateAll are not found yet. Destroy movers before their universe. Metres, seconds, the world frame;
  *  lengths, positions and speeds beyond 2^24 are bad arguments.
@@ -33,11 +33,11 @@ typedef struct MstMoverParams {
     MeReal stepHeight;                        /**< m, >= 0: lower steps are climbed, and followed down. */
     MeReal skin;                              /**< m, > 0: the gap that is kept, less than the radius. */
     MeReal pushStrength;                      /**< N, >= 0: the largest force on each body in its way. */
-    McdLineSegIntersectEnableCallback filter; /**< Only models for which it returns non-zero are met; null: all. */
+    McdLineSegIntersectEnableCallback filter; /**< Only models for which it returns non-zero count; null: all. */
     void *filterData;
 } MstMoverParams;
 
-/** What a mover met; a sum of these. */
+/** What a mover touched; a sum of these. */
 typedef enum MstMoverFlags {
     kMstMoverOnGround = 1, /**< It stands on ground within the slope limit. */
     kMstMoverOnSteep = 2,  /**< It touches ground beyond the slope limit. */
@@ -65,8 +65,8 @@ MEPUBLIC MstMoverID MEAPI MstMoverCreate(MstUniverseID u, const MstMoverParams *
 MEPUBLIC void MEAPI MstMoverDestroy(MstMoverID m);
 /**
  * Moves it for a step.
- * @param velocity m/s, wanted; relative to the ground while on ground. There its part along up is ignored unless it is
- *                 upward, which leaves the ground (a jump); else it should contain the speed of the fall.
+ * @param velocity m/s, wanted; relative to the ground while on ground. There its component along up is ignored unless
+ *                 it is upward, which leaves the ground (a jump); else it should contain the speed of the fall.
  * @param step     s, > 0: the step that follows, or the last one.
  * @param result   may be null.
  * On leaving the ground the ground's velocity is added to result->velocity, on landing it is subtracted.

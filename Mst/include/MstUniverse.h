@@ -15,9 +15,9 @@ ME_BEGIN_C
  * block.
  *
  * The world's epsilon follows from the scales: 7.2e-12 lengthScale / massScale [1/kg]. At 60 Hz and 10 m/s², a load of
- * a million times the mass scale makes joints and contacts sag by 1e-7 of the length scale (epsilon F h² / gamma); a
- * body of up to 10 000 times the mass scale sags under its own weight by no more than 1e-9 of it. MdtWorldSetEpsilon on
- * the universe's world replaces this value by an absolute one; the softer joints and contacts of the Dynamics guide
+ * a million times the mass scale makes joints and contacts yield by 1e-7 of the length scale (epsilon F h² / gamma); a
+ * body of up to 10 000 times the mass scale sinks under its own weight by no more than 1e-9 of it. MdtWorldSetEpsilon
+ * on the universe's world replaces this value by an absolute one; the softer joints and contacts of the Dynamics guide
  * have MDTWORLD_DEFAULT_EPSILON / massScale.
  */
 MEPUBLIC MstUniverseID MEAPI MstUniverseCreate(const MstUniverseSizes *const sizes);
@@ -40,9 +40,10 @@ MEPUBLIC MstBridgeID MEAPI MstUniverseGetBridge(const MstUniverseID u);
  * Moves the origin to the point @a shift, between steps: all coordinates lose it, those of bodies, models, joints,
  * contacts and boxes, with what the universe keeps of them, so that contacts, warm starts and touches go on, and
  * sleepers sleep on. Matrices that the program has given to models without a body, or as references of relative ones,
- * are written to, each once. It is for worlds that are so large that coordinates have no digits left. What is shifted
- * without rounding moves on bit for bit as it would have. Events of the last step keep the old coordinates. A shift
- * that is not finite, or that takes a body beyond its bound, gets a warning, and changes nothing. Beyond Karma.
+ * are written to, each once. It is for worlds that are so large that coordinates have no digits left. Coordinates that
+ * are shifted without rounding move on bit for bit as without the shift. Events of the last step keep the old
+ * coordinates. A shift that is not finite, or that takes a body beyond its bound, gets a warning, and changes nothing.
+ * Beyond Karma.
  */
 MEPUBLIC void MEAPI MstUniverseShiftOrigin(const MstUniverseID u, const MeVector3 shift);
 

@@ -94,14 +94,14 @@ typedef struct MstWheelParams {
     MeReal inertia;           /**< kg m², > 0: about its axle. */
     MeReal bump, droop;       /**< m, > 0, >= 0: how far it moves up, to a stop, and down. droop 0: until its spring
                                      is unloaded. */
-    MeReal frequency;         /**< Hz, > 0 unless there is a stiffness: of the part of the chassis that it carries. */
+    MeReal frequency;         /**< Hz, > 0 unless there is a stiffness: of the share of the chassis that it carries. */
     MeReal stiffness;         /**< N/m, >= 0: used instead of the frequency if it is not 0. */
     MeReal dampingRatio;      /**< >= 0; 1: critical. */
     MeReal antiRoll;          /**< N/m, >= 0: of the bar between the first two wheels of its axle, for one of them. */
     int axle;                 /**< >= 0: wheels of the same axle share a differential and a bar. */
     MeReal steering;          /**< rad, -1.5 .. 1.5, at full lock, of a wheel in the middle: each stands tangential to
                                      the curve of all. */
-    MeReal drive;             /**< >= 0: its part of the engine's torque; 0: not driven. */
+    MeReal drive;             /**< >= 0: its share of the engine's torque; 0: not driven. */
     MeReal brake, handbrake;  /**< N m, >= 0. */
     MeReal rollingResistance; /**< >= 0, of its load: stops a vehicle that coasts. */
     MstCurve along, across;   /**< Tyre force over load, by slip: both from x >= 0 on, with a peak > 0 at x > 0. */
