@@ -59,15 +59,15 @@ MEPUBLIC void MEAPI MdtSkeletalSetTwistDamping(const MdtSkeletalID j, const MeRe
 /** N m s/rad; MEINFINITY by default. */
 MEPUBLIC MeReal MEAPI MdtSkeletalGetTwistDamping(const MdtSkeletalID j);
 /** @} */
-/** @name Options: free, limited (the default) or fixed (MdtBcl.h); an invalid value gets a warning
+/** @name Options of swing and twist (MdtBcl.h); an invalid value gets a warning and changes nothing
  *  @{ */
-/** Swing: free, within the cone, or none. */
+/** MdtSkeletalConeOptionFree, Slot (swings in the primary plane only), Cone, or Fixed (no swing). */
 MEPUBLIC void MEAPI MdtSkeletalSetConeOption(const MdtSkeletalID j, MdtSkeletalConeOption co);
-/** Limited by default. */
+/** MdtSkeletalConeOptionCone by default. */
 MEPUBLIC MdtSkeletalConeOption MEAPI MdtSkeletalGetConeOption(const MdtSkeletalID j);
-/** Twist: free, within its limit, or none. */
+/** MdtSkeletalTwistOptionFree, Limited, or Fixed (no twist). */
 MEPUBLIC void MEAPI MdtSkeletalSetTwistOption(const MdtSkeletalID j, MdtSkeletalTwistOption to);
-/** Limited by default. */
+/** MdtSkeletalTwistOptionLimited by default. */
 MEPUBLIC MdtSkeletalTwistOption MEAPI MdtSkeletalGetTwistOption(const MdtSkeletalID j);
 /** @} */
 /** Makes the present twist of the bodies the zero of the twist. */
