@@ -5,10 +5,10 @@
  *  pair (User Guide ch. 4).
  *
  *  Such a shape gets all that a built-in one has: contacts with all geometries, distances, overlaps, casts, times of
- *  impact, rays, a box, mass properties, drawing. Depths and normals are as exact as those of built-in shapes. Its flat
- *  faces, and the straight lines of its round sides, are found when it is created, so that a box made this way has the
- *  box's contacts at any tilt, a cylinder on its side two, an ellipsoid one (docs/collision.md, "A program's own convex
- *  shapes"). A built-in shape takes less time; prefer it if there is one.
+ *  impact, rays, a box, mass properties, drawing. Depths and normals are as exact as those of built-in shapes. Its
+ *  flat faces, and the straight lines of its round sides, are found when it is created (docs/collision.md, "A
+ *  program's own convex shapes"). So a box made this way has the box's contacts at any tilt, a cylinder on its side
+ *  two, an ellipsoid one. A built-in shape takes less time; prefer it if there is one.
  *
  *  @code
  *      typedef struct Ellipsoid { double radius[3]; } Ellipsoid;

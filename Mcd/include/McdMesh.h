@@ -10,10 +10,10 @@
  *  triangle's number as tag.
  *
  *  At creation vertices with exactly equal coordinates are welded: they count as the first one, also after they move.
- *  Triangles are left out, with one warning of their number, if they have a vertex that is none or not finite, or if
- *  their height is less than 1e-7 of their longest side; numbers of the others do not change. A tree of boxes finds
- *  triangles: queries cost as the logarithm of their number. A million take 0.11 GB, in double precision 0.17 GB,
- *  besides the vertices.
+ *  Triangles are left out if an index is no vertex's, a vertex is not finite, or the height is less than 1e-7 of the
+ *  longest side. One warning has their number; numbers of the others do not change. A tree of boxes finds triangles:
+ *  queries cost as the logarithm of their number. A million take 0.11 GB, in double precision 0.17 GB, besides the
+ *  vertices.
  */
 #ifndef MCDMESH_H
 #define MCDMESH_H

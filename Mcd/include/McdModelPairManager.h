@@ -1,8 +1,8 @@
 /** @file McdModelPairManager.h
  *  Phases of pairs, for programs with a broad phase of their own: what a space keeps besides its own broad phase.
  *
- *  In each step the program activates pairs that have come near and deactivates pairs that are no longer near, gets
- *  the hello, staying and goodbye pairs in containers as from a space, and ends the step (Flush).
+ *  In each step the program activates pairs that have come near and deactivates pairs that are no longer near. It gets
+ *  the hello, staying and goodbye pairs in containers, as from a space. Then it ends the step (Flush).
  *
  *  @code
  *      McdSpacePairIterator iterator;

@@ -228,13 +228,13 @@ MEPUBLIC MeBool MEAPI MdtBodyCoriolisForceIsEnabled(const MdtBodyID b);
  *  immediately. The first force or impulse on a body allocates memory; without any, a fatal error is reported, and
  *  nothing is changed.
  *
- *  Springs and dampers that a program computes itself are stable: forces that are given in successive steps are
- *  interpreted as samples of a continuous force (velocity Verlet), so that half of the force's change times the step is
- *  added when the next step begins. A force that begins or ends acts for exactly its steps. A step without a call ends
- *  it: if a lasting force is zero, such as that of a spring out of contact, add zero. Setting velocity or pose ends it,
- *  too, except for changes below the thresholds of sleep. With h the step, undamped springs keep their amplitude within
- *  1 % for w h <= 1 and stay bounded below w h = 2; dampers are stable up to c h = 2 m. Beyond that, one warning is
- *  given; MdtSpring and MdtSpring6 are stable at any stiffness.
+ *  Springs and dampers that a program computes itself are stable. Forces in successive steps count as samples of a
+ *  continuous force (velocity Verlet): half of the force's change times the step is added when the next step begins. A
+ *  force that begins or ends acts for exactly its steps. A step without a call ends it: if a lasting force is zero,
+ *  such as that of a spring out of contact, add zero. Setting velocity or pose ends it, too, except for changes below
+ *  the thresholds of sleep. With h the step, undamped springs keep their amplitude within 1 % for w h <= 1 and stay
+ *  bounded below w h = 2; dampers are stable up to c h = 2 m. Beyond that, one warning is given; MdtSpring and
+ *  MdtSpring6 are stable at any stiffness.
  *  @{ */
 /** Adds a force at the centre of mass. */
 MEPUBLIC void MEAPI MdtBodyAddForce(const MdtBodyID b, const MeReal fx, const MeReal fy, const MeReal fz);
@@ -266,8 +266,8 @@ MEPUBLIC void MEAPI MdtBodySetGravityFactor(const MdtBodyID b, const MeReal fact
 /** 1 by default. */
 MEPUBLIC MeReal MEAPI MdtBodyGetGravityFactor(const MdtBodyID b);
 /** The largest speed of the centre of mass (m/s), or of the rotation (rad/s), >= 0: a step, or a sub-step of
- *  continuous motion, ends with the velocity scaled down to it. The step itself moves the body as without a cap, so a
- *  body that falls at its cap is faster by g h / 2 in the mean over a step of h seconds, and joints feel the cap in the
+ *  continuous motion, ends with the velocity scaled down to it. The step itself moves the body as without a cap: a
+ *  body that falls at its cap is faster by g h / 2 in the mean over a step of h seconds. Joints feel the cap in the
  *  next step. Kinematic bodies have no cap. Default MEINFINITY: none. Beyond Karma. */
 MEPUBLIC void MEAPI MdtBodySetMaxLinearSpeed(const MdtBodyID b, const MeReal max);
 /** m/s; MEINFINITY, the default: no cap. */

@@ -3,10 +3,10 @@
  *
  *      coordinate of the second joint = ratio * coordinate of the first joint + offset
  *
- *  Both are hinges (rad, full turns counted) or prismatic joints (m), with the coordinates that their limits show
- *  (MdtLimitGetPosition), or car wheels (rad about the hinge axis), in any combination. Turns of a car wheel, and of a
- *  hinge whose limit does not measure, are counted from when the mimic is enabled. Limits and motors of either work,
- *  and act on both; forces go both ways. It adds one row.
+ *  Both are hinges (rad, full turns counted), prismatic joints (m) or car wheels (rad about the hinge axis), in any
+ *  combination. The coordinates of the first two are those of their limits (MdtLimitGetPosition). Turns of a car
+ *  wheel, and of a hinge whose limit does not measure, are counted from when the mimic is enabled. Limits and motors
+ *  of either work, and act on both; forces go both ways. It adds one row.
  *
  *  The joints may have up to four bodies, such as two fingers and the hand that carries them. Then the mimic's
  *  partition is solved by the exact solver, also where the program asks for the fast one. Of these bodies one may be

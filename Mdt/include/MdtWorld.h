@@ -117,19 +117,20 @@ MEPUBLIC void MEAPI MdtWorldSetGammaWithRefTimeStep(const MdtWorldID w, const Me
 /** @} */
 
 /** @name Putting bodies to sleep (Dynamics guide ch. 4, "Enabling/Disabling Bodies")
- *  A partition is disabled ("falls asleep") when all its bodies have been enabled for the alive window, the squares of
- *  their velocity, angular velocity, acceleration and angular acceleration are below the thresholds, and none of them
- *  would move noticeably within the next second (five alive times): docs/simulation.md, "Sleep", has the rule, and what
- *  wakes them. It stays enabled while a motor drives one of its joints, at any speed, while its attachment to the world
- *  moves, and while a contact with a moving surface pushes one of its bodies (MdtContactParamsSetPrimarySlide,
- *  MdtConstraintSetWorldLinearVelocity). On by default. Bodies that only jitter in place may fall asleep whatever their
- *  acceleration.
+ *  A partition is disabled ("falls asleep") when all its bodies have been enabled for the alive window, are below the
+ *  thresholds, and would not move noticeably within the next second (five alive times). The thresholds are for the
+ *  squares of velocity, angular velocity, acceleration and angular acceleration. Bodies that only jitter in place may
+ *  fall asleep at any acceleration. docs/simulation.md, "Sleep", has the rule, and what wakes them. On by default.
  *
- *  The thresholds are squares, >= 0. Initially they are the values of MdtDefaults.h, those of velocity and acceleration
- *  times the square of the length scale; that of acceleration is limited to a tenth of gravity, and both are adapted by
- *  MdtWorldSetGravity until the program sets them. After the program has set one, the thresholds alone decide. They are
- *  for seconds; a program with another unit of time sets all of them, and the alive time. A negative threshold gets a
- *  warning and changes nothing.
+ *  A partition stays enabled while a motor drives one of its joints, at any speed; while its attachment to the world
+ *  moves; and while a contact with a moving surface pushes one of its bodies (MdtContactParamsSetPrimarySlide,
+ *  MdtConstraintSetWorldLinearVelocity).
+ *
+ *  The thresholds are squares, >= 0. Initially they are the values of MdtDefaults.h, those of velocity and
+ *  acceleration times the square of the length scale. That of acceleration is limited to a tenth of gravity.
+ *  MdtWorldSetGravity adapts these two until the program sets them. After the program has set one, the thresholds
+ *  alone decide. They are for seconds: a program with another unit of time sets all of them, and the alive time. A
+ *  negative threshold gets a warning and changes nothing.
  *  @{ */
 /** METRUE, the default: bodies at rest fall asleep. MEFALSE: none does any more; those that sleep stay asleep. */
 MEPUBLIC void MEAPI MdtWorldSetAutoDisable(const MdtWorldID w, const MeBool d);
@@ -241,11 +242,14 @@ MEPUBLIC int MEAPI MdtWorldGetIntegratorOrder(const MdtWorldID w);
 /**
  * Timed contacts: the largest number of bodies, by default 8, of partitions whose impacts are resolved at their time;
  * 0: none. In such partitions bodies move with their mean velocities, and a step is divided when bodies collide or
- * begin to stick. They are partitions with contacts only, or with joints, without springs and stops, if all contacts
- * are round, such as a car's wheels; larger ones with restitution if touching contacts hold at most this number of
- * bodies, or a quarter of them (with 64 bodies or more: none, unless the restitution is 1); and those with joints on
- * at most this number, if something bounces. All other partitions take each step as a whole, correct to first order,
- * and never gain energy.
+ * begin to stick. They are partitions
+ *
+ * - of up to this number of bodies with contacts only, or with joints, but without springs and stops, if all contacts
+ *   are round, such as a car's wheels;
+ * - with restitution, in which joints and touching contacts constrain at most this number of bodies, or a quarter of
+ *   them (with 64 bodies or more: none, unless the restitution is 1); if there are joints, only without springs.
+ *
+ * In all others impacts are early or late by up to a step; energy is not gained.
  */
 MEPUBLIC void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodies);
 /** 8 by default. */

@@ -69,12 +69,12 @@ MEPUBLIC void MEAPI MstBridgeUpdateTransitions(const MstBridgeID b, const McdSpa
  *  @{ */
 #define MST_CONTACT_REUSE 1e-3 /**< default of MstBridgeSetContactReuse */
 /**
- * A pair of convex models, planes or aggregates of these is not tested again while no point of the smaller model has
- * moved relative to the other one by more than @a part of its size (its bounding radius), 0..1, or a quarter of the sum
- * of the two contact tolerances. Instead, its contacts are moved with the bodies; they differ from tested ones by at
- * most that displacement. Tested in every step all the same: pairs with a callback, sensors, swept models, round
- * surfaces, child shapes with materials of their own, and pairs in partitions of up to 32 bodies. 0: every pair that
- * has moved at all is tested. Beyond Karma.
+ * A pair of convex models, planes or aggregates of these is not tested again while it has hardly moved. Hardly: no
+ * point of the smaller model has moved relative to the other one by more than @a part of its size (its bounding
+ * radius), 0..1, or a quarter of the sum of the two contact tolerances. Instead, its contacts are moved with the
+ * bodies; they differ from tested ones by at most that displacement. Tested in every step all the same: pairs with a
+ * callback, sensors, swept models, round surfaces, child shapes with materials of their own, and pairs in partitions
+ * of up to 32 bodies. 0: every pair that has moved at all is tested. Beyond Karma.
  */
 MEPUBLIC void MEAPI MstBridgeSetContactReuse(const MstBridgeID b, const MeReal part);
 /** MST_CONTACT_REUSE by default; 0, with a warning, for a bad handle. */

@@ -48,15 +48,14 @@ MEPUBLIC MstBridgeID MEAPI MstUniverseGetBridge(const MstUniverseID u);
 MEPUBLIC void MEAPI MstUniverseShiftOrigin(const MstUniverseID u, const MeVector3 shift);
 
 /**
- * Pushes the universe's bodies away from a point, between steps. A body's impulse acts on its centre of mass, along the
- * line from the point to it, and is, for each of its models,
+ * Pushes the universe's bodies away from a point, between steps. A body's impulse acts on its centre of mass, along
+ * the line from the point to it. For each of its models it is
  *
  *     impulse A (1 - d / radius)^falloff,   0 for d >= radius
  *
- * where d is the distance of the point from the box of the model's geometry, which is along the geometry's own axes,
- * and A the area of that box's shadow along the line. It acts as MdtBodyAddImpulse does, in the next step, and wakes
- * sleepers. Fixed models, kinematic bodies, disabled bodies, sensors, and a body whose centre is at the point get none.
- * Beyond Karma.
+ * with d the distance of the point from the box of the model's geometry, along the geometry's own axes, and A the area
+ * of that box's shadow along the line. It acts as MdtBodyAddImpulse does, in the next step, and wakes sleepers. Fixed
+ * models, kinematic bodies, disabled bodies, sensors, and a body whose centre is at the point get none. Beyond Karma.
  * @param position   m
  * @param radius     m, > 0
  * @param impulse    N s/m², of a surface at the point; negative: pulls

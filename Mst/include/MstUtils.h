@@ -11,8 +11,8 @@ ME_BEGIN_C
 /** @name Models
  *  @{ */
 /**
- * Creates a model of a geometry with an enabled body at the origin, whose mass and inertia follow from the geometry and
- * a density (kg/m³, > 0), and inserts the model into the universe's space. Null, with a warning, if there is no room.
+ * Creates a model of a geometry with an enabled body at the origin, and inserts the model into the universe's space.
+ * Mass and inertia follow from the geometry and a density (kg/m³, > 0). Null, with a warning, if there is no room.
  */
 MEPUBLIC McdModelID MEAPI MstModelAndBodyCreate(const MstUniverseID u, const McdGeometryID g, const MeReal density);
 /** MstModelAndBodyCreate with the centre of mass, and the axes of inertia, where the geometry has them: also exact for

@@ -1,9 +1,9 @@
 /** @file MstVehicle.h
  *  Vehicles: a chassis on wheels with suspension, tyres, engine, gears and brakes. Beyond Karma.
  *
- *  The chassis is the program's: a model with a body. Wheels are added to it, and have no bodies: each is cast along
- *  its suspension onto what is below, in every step of the universe (MstUniverseStep), and a spring and a tyre act
- *  between the chassis and what the cast hits, which is pushed in turn. Springs are solved implicitly, at any
+ *  The chassis is the program's: a model with a body. Wheels are added to it, and have no bodies: each is cast
+ *  downwards along its suspension, in every step of the universe (MstUniverseStep). A spring and a tyre act between
+ *  the chassis and the model that the cast hits, which is pushed in turn. Springs are solved implicitly, at any
  *  stiffness; a parked vehicle does not creep. The program drives (MstVehicleDrive) and draws
  *  (MstVehicleGetWheelTransformPtr).
  *
