@@ -273,10 +273,10 @@ MEPUBLIC int MEAPI MdtWorldGetMaxLCPIterations(const MdtWorldID w);
 
 /** @name The work budget: the largest cost of a partition in one step
  *
- *  In millions of multiplications, counted in factorizations and in visits of rows, so that the cost, and with it the
- *  result, is the same on every machine. A million takes about a millisecond on one core of 2020. Sub-steps, halves of
- *  violent motion, events and impacts of a partition's step draw from one budget. If safe times divide a step, each
- *  part has its share, at least a sixteenth.
+ *  In millions of multiplications, counted in factorizations and in visits of rows. So the cost, and with it the
+ *  result, is the same on every machine. A million takes some .3 ms on one core of a virtual AMD EPYC. Sub-steps,
+ *  halves of violent motion, events and impacts of a partition's step draw from one budget. If safe times divide a
+ *  step, each part has its share, at least a sixteenth.
  *
  *  Newton's method may use half of it, or three eighths if friction bounds do not settle. After that, the best answer
  *  so far is improved iteratively: up to eight passes of accelerated sweeps over the rows (projected Gauss-Seidel),
