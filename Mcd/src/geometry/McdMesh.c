@@ -255,12 +255,20 @@ static void sortNumbers(int *number, int count) {
         }
 }
 
+static MeBool isAnyNear(const McdMeshQuery *q, const McdMeshRecord *m, int found) {
+    MeBool isNear = !q->isForContacts;
+    for (int i = 0; i < found && !isNear; i++) {
+        double corner[3][3];
+        mcd_meshDataCorners(m->data, q->scratch->number[i], m->scale, corner);
+        isNear = mcd_meshIsNear(q, mcd_constRows(corner));
+    }
+    return isNear;
+}
+
 /* Adds the triangles in the order of their numbers: results do not depend on the tree. */
-static void addTriangles(McdMeshQuery *q, const McdMeshRecord *m, const double low[3], const double high[3]) {
-    Found found = {q->scratch, 0};
-    mcd_bvhQuery(m->data->bvh, low, high, addNumber, &found);
-    sortNumbers(q->scratch->number, found.count);
-    const int count = mcd_meshReserve(q->mesh, found.count) ? found.count : 0;
+static void addTriangles(McdMeshQuery *q, const McdMeshRecord *m, int found) {
+    sortNumbers(q->scratch->number, found);
+    const int count = mcd_meshReserve(q->mesh, found) ? found : 0;
     for (int i = 0; i < count; i++) {
         const int triangle = q->scratch->number[i];
         double corner[3][3];
@@ -269,9 +277,10 @@ static void addTriangles(McdMeshQuery *q, const McdMeshRecord *m, const double l
     }
 }
 
-/* If the surface in the box is a plane: adds one triangle that covers the box in this plane. */
-static MeBool addPatch(McdMeshQuery *q, const McdMeshRecord *m, const double low[3], const double high[3]) {
-    const int triangle = mcd_meshDataPatchNear(m->data, low, high);
+/* If the surface in the box, of which the scratch has the numbers, is a plane: adds one triangle that covers the box in
+ * this plane. */
+static MeBool addPatch(McdMeshQuery *q, const McdMeshRecord *m, int found) {
+    const int triangle = mcd_meshDataPatchOf(m->data, q->scratch->number, found);
     double own[3][3], corner[3][3], normal[3], middle[3], u[3], w[3], size[3];
     if (triangle < 0)
         return MEFALSE;
@@ -294,14 +303,16 @@ static MeBool addPatch(McdMeshQuery *q, const McdMeshRecord *m, const double low
 
 static void gather(McdMeshQuery *q) {
     const McdMeshRecord *m = get(mcd_record(q->pair->model2)->instance.geometry);
+    Found found = {q->scratch, 0};
     double low[3], high[3];
     for (int i = 0; i < 3; i++) { /* the query's box with the rounding of the corners' products, before scaling */
         const double scale = (double)m->scale[i], slack = 4 * DBL_EPSILON * (fabs(q->low[i]) + fabs(q->high[i]));
         low[i] = (q->low[i] - slack) / scale;
         high[i] = (q->high[i] + slack) / scale;
     }
-    if (!addPatch(q, m, low, high))
-        addTriangles(q, m, low, high);
+    mcd_bvhQuery(m->data->bvh, low, high, addNumber, &found);
+    if (!addPatch(q, m, found.count) && isAnyNear(q, m, found.count))
+        addTriangles(q, m, found.count);
 }
 
 /* The triangle of a patch that contains a point: that of which the point is the farthest inside. */

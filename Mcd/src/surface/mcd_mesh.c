@@ -76,7 +76,6 @@ void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *norma
         for (int k = 0; k < 3; k++)
             t->corner[i][k] =
                 q->place[k] + corner[i][0] * axis[0][k] + corner[i][1] * axis[1][k] + corner[i][2] * axis[2][k];
-        t->key[i] = mcd_meshHashOfPoint(corner[i]);
     }
     if (vertex)
         memcpy(t->vertex, vertex, sizeof t->vertex);
@@ -86,6 +85,45 @@ void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *norma
     mesh->count++;
     MEASSERT(mesh->count <= mesh->max && isfinite(mcd_dot(t->normal, t->normal)));
     MEASSERT(mcd_isUnit(own));
+}
+
+/* Whether the box of the shape overlaps the plane of the triangle, or may do so after rounding. */
+static MeBool overlapsPlane(const McdMeshQuery *q, const double corner[3][3]) {
+    double edge[2][3], normal[3], offset[3], size[3] = {0, 0, 0}, reach = 0;
+    mcd_sub(edge[0], corner[1], corner[0]);
+    mcd_sub(edge[1], corner[2], corner[0]);
+    mcd_sub(offset, q->own, corner[0]);
+    mcd_cross(normal, edge[0], edge[1]);
+    for (int k = 0; k < 3; k++) {
+        reach += q->half[k] * fabs(mcd_dot(q->side[k], normal));
+        size[0] += fabs(edge[0][k]);
+        size[1] += fabs(edge[1][k]);
+        size[2] += fabs(offset[k]);
+    }
+    const double rounding = 8 * DBL_EPSILON * size[0] * size[1] * size[2];
+    const double gap = fabs(mcd_dot(offset, normal)) - reach - rounding;
+    return !(gap > 0 && gap * gap > q->reach * q->reach * mcd_dot(normal, normal));
+}
+
+MeBool mcd_meshIsNear(const McdMeshQuery *q, const double corner[3][3]) {
+    MEASSERT(q->isForContacts);
+    if (!overlapsPlane(q, corner))
+        return MEFALSE;
+    for (int i = 0; i < 3; i++) {
+        const double a = mcd_heightOver(corner[0], q->own, q->side[i]),
+                     b = mcd_heightOver(corner[1], q->own, q->side[i]),
+                     c = mcd_heightOver(corner[2], q->own, q->side[i]), reach = q->half[i] + q->reach;
+        if ((a > reach && b > reach && c > reach) || (a < -reach && b < -reach && c < -reach))
+            return MEFALSE;
+    }
+    return METRUE;
+}
+
+static MeBool isAnyNear(const McdMeshQuery *q) {
+    for (int i = 0; i < q->mesh->count; i++)
+        if (mcd_meshIsNear(q, mcd_constRows(&q->mesh->place[3 * i])))
+            return METRUE;
+    return MEFALSE;
 }
 
 /* ---- the shape's bounds ------------------------------------------------------------------------------------------ */
@@ -110,6 +148,19 @@ static void boundAlongShape(McdMeshQuery *q) {
         q->half[i] = (high - low) / 2;
         MEASSERT(!(q->half[i] < -1e-9 * (q->shape.extent + mcd_length(q->shape.place))));
     }
+}
+
+/* Sets that box in the mesh's frame. The frame's axes are of unit length up to rounding. */
+static void placeBoxInMesh(McdMeshQuery *q) {
+    double size = 0;
+    for (int i = 0; i < 3; i++) {
+        q->own[i] = mcd_heightOver(q->box, q->place, q->axis[i]);
+        size += fabs(q->own[i]) + q->half[i];
+        for (int k = 0; k < 3; k++)
+            q->side[k][i] = mcd_dot(q->shape.axis[k], q->axis[i]);
+    }
+    q->reach = q->margin + MCD_MESH_OVERLAP * q->shape.extent + 4 * (double)ME_EPSILON * size;
+    q->isForContacts = METRUE;
 }
 
 /* Computes the shape's bounding box in the mesh's axes: the corners `low` and `high`, enlarged by the margin; the
@@ -198,6 +249,7 @@ static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
     if (!placeQuery(q, &mcd_record(p->model1)->instance, &mcd_record(p->model2)->instance))
         return MEFALSE;
     boundAlongShape(q);
+    placeBoxInMesh(q);
     boundByBall(q);
     MEVALIDATE(!areAxesOrthonormal(q) || !mcd_shapeIsKnown(&q->shape) || isShapeInBall(q));
     return METRUE;
@@ -269,7 +321,7 @@ int MEAPI mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result) {
         return 0;
     q.mesh = &q.scratch->mesh;
     gatherTriangles(&q);
-    if (q.mesh->count) {
+    if (isAnyNear(&q)) {
         mcd_meshAddAround(&q);
         mcd_meshBuildAdjacency(q.mesh);
         mcd_meshFindContacts(&q);

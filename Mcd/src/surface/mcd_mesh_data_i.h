@@ -49,8 +49,8 @@ MeBool mcd_meshDataIsClosed(const McdMeshData *data);
 MeBool mcd_meshDataFindNeighbours(McdMeshData *data, const char *function);
 /* Sets `patch`, by the neighbours. stack: of as many numbers as triangles. */
 void mcd_meshDataFindPatches(McdMeshData *data, int *stack);
-/* If all triangles near a box are inside of one patch: one of them; else -1. Then the surface in the box is the plane
- * of that triangle, without border. */
-int mcd_meshDataPatchNear(const McdMeshData *data, const double low[3], const double high[3]);
+/* If all triangles near a box are inside of one patch: the last of them; else -1. Then the surface in the box is the
+ * plane of that triangle, without border. */
+int mcd_meshDataPatchOf(const McdMeshData *data, const int *triangle, int count);
 
 #endif

@@ -153,26 +153,17 @@ void mcd_meshDataFindPatches(McdMeshData *data, int *stack) {
             data->patch[i] = ~data->patch[i];
 }
 
-/* ---- the patch near a box ---------------------------------------------------------------------------------------- */
+/* ---- the patch of some triangles --------------------------------------------------------------------------------- */
 
-typedef struct Near {
-    const int *patch;
-    int triangle; /* -1: none so far */
-    MeBool isOne;
-} Near;
-
-static MeBool visitNear(void *context, int triangle) {
-    Near *near = context;
-    const int patch = near->patch[triangle];
-    if (patch == NO_AREA)
-        return METRUE;
-    near->isOne = patch >= 0 && (near->triangle < 0 || near->patch[near->triangle] == patch);
-    near->triangle = triangle;
-    return near->isOne;
-}
-
-int mcd_meshDataPatchNear(const McdMeshData *data, const double low[3], const double high[3]) {
-    Near near = {data->patch, -1, METRUE};
-    mcd_bvhQuery(data->bvh, low, high, visitNear, &near);
-    return near.isOne ? near.triangle : -1;
+int mcd_meshDataPatchOf(const McdMeshData *data, const int *triangle, int count) {
+    int last = -1;
+    for (int i = 0; i < count; i++) {
+        const int patch = data->patch[triangle[i]];
+        if (patch == NO_AREA)
+            continue;
+        if (patch < 0 || (last >= 0 && data->patch[last] != patch))
+            return -1;
+        last = triangle[i];
+    }
+    return last;
 }

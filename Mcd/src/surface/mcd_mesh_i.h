@@ -22,7 +22,7 @@ typedef struct McdMeshTriangle {
     double normal[3];
     double inward[3][3]; /* unit vectors in the plane, orthogonal to the edges; set by mcd_meshFindContacts */
     int vertex[3];       /* numbers of the corners' vertices: equal for equal coordinates */
-    MeU32 key[3];        /* hashes of the corners' coordinates in the mesh's frame */
+    MeU32 key[3];        /* hashes of the corners' coordinates in the mesh's frame; set by mcd_meshBuildAdjacency */
     int flags;           /* McdTriangleFlags */
     McdElementData element;
     int facing;       /* the only admissible contact normal: 1 its own, -1 the opposite; 0: to be searched */
@@ -88,6 +88,9 @@ struct McdMeshQuery {
     double radius;               /* of that box, without the margin */
     double ball[3], ballRadius;  /* bounding ball of shape and margin, in the mesh's frame */
     double box[3], half[3];      /* the shape's box along its own axes: centre and half extents */
+    MeBool isForContacts;        /* else the members below are not set */
+    double own[3], side[3][3];   /* that box in the mesh's frame: centre and unit axes */
+    double reach;                /* the margin with the rounding of that frame */
 };
 
 /* Finds the contacts of a convex model (model1) with a surface (model2); 1 if there are any. */
@@ -99,6 +102,10 @@ MeBool mcd_meshReserve(McdMesh *mesh, int triangles);
  * below vertexCount; null: they are numbered by coordinates. */
 void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, const int *vertex,
                  McdElementData element);
+
+/* Whether the shape's box, grown by the margin, may touch a triangle with these corners in the mesh's frame. If it
+ * touches none there are no contacts, and a gather function may leave out all. Of queries for contacts alone. */
+MeBool mcd_meshIsNear(const McdMeshQuery *q, const double corner[3][3]);
 
 /* ---- queries (mcd_mesh_query.c) ---------------------------------------------------------------------------------- */
 

@@ -41,7 +41,7 @@ typedef enum McdMeshRegion {
     MCD_FLAT_BORDER      /* an open border whose flags admit only the face's normal */
 } McdMeshRegion;
 
-/* Numbers the corners, unless the geometry has, and lists the triangles of each vertex. */
+/* Sets the corners' keys, numbers them, unless the geometry has, and lists the triangles of each vertex. */
 void mcd_meshBuildAdjacency(McdMesh *mesh);
 McdMeshRegion mcd_meshRegion(const McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3]);
 /* Whether the face's normal is the only admissible one, since the surroundings are flat: all others are in

@@ -50,7 +50,13 @@ static MeBool isAdjacencyGood(const McdMesh *mesh, int vertexCount) {
     return METRUE;
 }
 
+static void setKeys(McdMesh *mesh) {
+    for (int i = 0; i < 3 * mesh->count; i++)
+        mesh->triangle[i / 3].key[i % 3] = mcd_meshHashOfPoint(mesh->place[i]);
+}
+
 void mcd_meshBuildAdjacency(McdMesh *mesh) {
+    setKeys(mesh);
     const int vertexCount = mesh->vertexCount ? mesh->vertexCount : numberCorners(mesh);
     for (int v = 0; v <= vertexCount; v++)
         mesh->firstOf[v] = 0;
