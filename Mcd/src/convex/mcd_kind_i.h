@@ -33,6 +33,14 @@ typedef void (*McdMeshGather)(McdMeshQuery *q);
 typedef McdElementData (*McdMeshElementAt)(const McdGeometry *g, const double place[3], const double slack[3],
                                            McdElementData element);
 
+/* The first hits of up to MCD_SEGMENTS line segments with a model, each with the answer of McdLineSegIntersect, but for
+ * the result's model and instance; a bit for each that hits. */
+enum { MCD_SEGMENTS = 4 };
+typedef struct McdSegment {
+    MeVector3 from, to;
+} McdSegment;
+typedef MeU32 (*McdSegmentsFn)(McdModelID cm, const McdSegment segment[], int count, McdLineSegIntersectResult hit[]);
+
 struct McdKind {
     int type; /* kMcdGeometryType...; not set for shapes that are no geometries, such as triangles */
     char *(MEAPI *name)(const McdGeometryID);
@@ -70,6 +78,10 @@ struct McdKind {
     MeBool callsProgram;            /* `gather` calls a function of the program */
     void (*update)(McdGeometry *g); /* for McdGeometryUpdate: reads the program's array again. May be null */
     MeBool isStored;                /* triangles change only by `update`, which changes the record */
+
+    /* Line segments side by side, used while the type's function for one is `segment`. May be null. */
+    McdSegmentsFn segments;
+    McdLineSegIntersectFnPtr segment;
 
     /* The material of an element; -1: the instance's. If element 0 has none, none has. May be null. */
     int (*material)(const McdGeometry *g, int element);

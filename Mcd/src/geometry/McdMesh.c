@@ -355,6 +355,10 @@ static McdElementData elementAt(const McdGeometry *g, const double place[3], con
     return under.triangle < 0 ? element : (McdElementData){.tag = under.triangle};
 }
 
+static MeU32 segments(const McdModelID cm, const McdSegment segment[], int count, McdLineSegIntersectResult hit[]);
+static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
+                                  McdLineSegIntersectResult *outOverlap);
+
 static const McdKind kind = {MCD_KIND_FUNCTIONS(Mesh, release),
                              .size = sizeof(McdMeshRecord),
                              .gather = gather,
@@ -362,7 +366,9 @@ static const McdKind kind = {MCD_KIND_FUNCTIONS(Mesh, release),
                              .update = update,
                              .isStored = METRUE,
                              .material = material,
-                             .isStatic = METRUE};
+                             .isStatic = METRUE,
+                             .segments = segments,
+                             .segment = intersectSegment};
 MCD_DEFINE_GEOMETRY_TYPE(Mesh, addMass)
 
 MeBool MEAPI McdMeshRegisterInteractions(McdFramework *frame) {
@@ -383,8 +389,8 @@ typedef struct Ray {
     int triangle;               /* -1: no hit so far */
 } Ray;
 
-static double hitTriangle(void *context, int triangle, double fraction) {
-    Ray *ray = context;
+static double hitTriangle(void *context, int number, int triangle, double fraction) {
+    Ray *ray = (Ray *)context + number;
     double corner[3][3], normal[3], hit[3], here;
     mcd_meshDataCorners(ray->mesh->data, triangle, ray->mesh->scale, corner);
     if (!mcd_triangleNormal(mcd_constRows(corner), 0, normal) ||
@@ -397,22 +403,49 @@ static double hitTriangle(void *context, int triangle, double fraction) {
     return ray->fraction = here;
 }
 
+/* Sets a ray to a segment, and what of it is cast in the tree's scale. False: its place is not finite in the mesh. */
+static MeBool beginRay(Ray *ray, const McdGeometryInstance *ins, const McdSegment *s, double from[3], double by[3]) {
+    *ray = (Ray){.mesh = get(ins->geometry), .triangle = -1};
+    if (!mcd_toLocal(mcd_const(ins->tm), s->from, ray->from) || !mcd_toLocal(mcd_const(ins->tm), s->to, ray->to))
+        return MEFALSE;
+    for (int i = 0; i < 3; i++) {
+        from[i] = ray->from[i] / (double)ray->mesh->scale[i];
+        by[i] = (ray->to[i] - ray->from[i]) / (double)ray->mesh->scale[i];
+    }
+    return METRUE;
+}
+
+static MeBool writeRay(const Ray *ray, const McdGeometryInstance *ins, const McdSegment *s,
+                       McdLineSegIntersectResult *hit) {
+    if (ray->triangle < 0)
+        return MEFALSE;
+    hit->element.tag = ray->triangle;
+    return mcd_writeSegmentHit(mcd_const(ins->tm), s->from, s->to, ray->fraction, ray->normal, hit) != 0;
+}
+
+static MeU32 segments(const McdModelID cm, const McdSegment segment[], int count, McdLineSegIntersectResult hit[]) {
+    const McdGeometryInstance *ins = &mcd_record(cm)->instance;
+    Ray ray[MCD_SEGMENTS];
+    double from[MCD_SEGMENTS][3], by[MCD_SEGMENTS][3];
+    int number[MCD_SEGMENTS], cast = 0;
+    MeU32 hits = 0;
+    for (int i = 0; i < count; i++)
+        if (beginRay(&ray[cast], ins, &segment[i], from[cast], by[cast]))
+            number[cast++] = i;
+    if (cast)
+        mcd_bvhCast(ray[0].mesh->data->bvh, cast, mcd_constRows(from), mcd_constRows(by), hitTriangle, ray);
+    for (int k = 0; k < cast; k++)
+        if (writeRay(&ray[k], ins, &segment[number[k]], &hit[number[k]]))
+            hits |= 1u << number[k];
+    return hits;
+}
+
 static int MEAPI intersectSegment(const McdModelID cm, MeReal *const inOrig, MeReal *const inDest,
                                   McdLineSegIntersectResult *outOverlap) {
-    const McdGeometryInstance *ins = &mcd_record(cm)->instance;
-    Ray ray = {.mesh = get(ins->geometry), .triangle = -1};
-    double from[3], by[3];
-    if (!mcd_toLocal(mcd_const(ins->tm), inOrig, ray.from) || !mcd_toLocal(mcd_const(ins->tm), inDest, ray.to))
-        return 0;
-    for (int i = 0; i < 3; i++) {
-        from[i] = ray.from[i] / (double)ray.mesh->scale[i];
-        by[i] = (ray.to[i] - ray.from[i]) / (double)ray.mesh->scale[i];
-    }
-    mcd_bvhCast(ray.mesh->data->bvh, from, by, hitTriangle, &ray);
-    if (ray.triangle >= 0)
-        outOverlap->element.tag = ray.triangle;
-    return ray.triangle >= 0 &&
-           mcd_writeSegmentHit(mcd_const(ins->tm), inOrig, inDest, ray.fraction, ray.normal, outOverlap);
+    McdSegment s;
+    MeVector3Copy(s.from, inOrig);
+    MeVector3Copy(s.to, inDest);
+    return (int)segments(cm, &s, 1, outOverlap);
 }
 
 void MEAPI McdMeshLineSegmentRegisterInteraction(McdFramework *frame) {

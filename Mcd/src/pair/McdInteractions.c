@@ -573,6 +573,27 @@ MeBool mcd_lineSegIntersect(McdModelID cm, MeReal *inOrig, MeReal *inDest, McdLi
     return isHit;
 }
 
+MeU32 mcd_lineSegsIntersect(McdModelID cm, McdSegment segment[], int count, McdLineSegIntersectResult hit[]) {
+    McdModelRecord *m = mcd_record(cm);
+    const McdTypeRecord *type = &m->frame->types[m->instance.geometry->type];
+    const MeBool areOneCall = type->kind && type->kind->segments && type->lineSegment == type->kind->segment;
+    MeU32 hits = 0;
+    MEASSERT(count <= MCD_SEGMENTS);
+    if (!areOneCall) {
+        for (int i = 0; i < count && !m->isGone; i++)
+            if (mcd_lineSegIntersect(cm, segment[i].from, segment[i].to, &hit[i]))
+                hits |= 1u << i;
+        return hits;
+    }
+    if (count > 0 && mcd_modelIsPlaced(m))
+        hits = type->kind->segments(cm, segment, count, hit);
+    for (int i = 0; i < count; i++) {
+        hit[i].model = cm;
+        hit[i].instance = &m->instance;
+    }
+    return hits;
+}
+
 MeBool mcd_isHitNearer(const McdLineSegIntersectResult *a, const McdLineSegIntersectResult *b) {
     return a->distance != b->distance ? a->distance < b->distance
                                       : mcd_modelPrecedes(mcd_record(a->model), mcd_record(b->model));

@@ -8,6 +8,8 @@
  * models that call no function of the program; these may be tested by several threads. */
 MeBool mcd_intersect(McdModelPair *p, McdIntersectResult *result);
 MeBool mcd_lineSegIntersect(McdModelID cm, MeReal *inOrig, MeReal *inDest, McdLineSegIntersectResult *outOverlap);
+/* mcd_lineSegIntersect for up to MCD_SEGMENTS segments; a bit for each that hits. */
+MeU32 mcd_lineSegsIntersect(McdModelID cm, McdSegment segment[], int count, McdLineSegIntersectResult hit[]);
 /* Whether hit a comes before hit b: by distance, then by the models' order. */
 MeBool mcd_isHitNearer(const McdLineSegIntersectResult *a, const McdLineSegIntersectResult *b);
 

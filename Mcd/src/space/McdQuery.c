@@ -523,28 +523,57 @@ static void findNearRays(Rays *r, const McdRay rays[], int count) {
     visitOverlapping(&r->q, r->q.min, r->q.max, visitNearRays, r);
 }
 
-/* Casts a ray onto these models, with the answer of McdSpaceCastRay. */
-static MeBool castOntoList(const Rays *r, const McdRay *ray, McdLineSegIntersectResult *first) {
-    static const double still[3] = {0, 0, 0};
-    double from[3], by[3];
-    MeVector3 start, end;
-    first->model = 0;
-    MeVector3Copy(start, ray->from);
-    MeVector3Add(end, start, ray->by);
-    mcd_fromReal(from, start);
-    mcd_fromReal(by, end);
-    mcd_sub(by, by, from);
-    for (int i = 0; i < r->count; i++) {
-        const McdModelID cm = modelOf(&r->q, r->proxy[i]);
-        McdLineSegIntersectResult hit;
-        if (mcd_record(cm)->isGone || !mcd_treeCastBox(&r->q.space->proxy[r->proxy[i]].fat, from, by, still, 1) ||
-            !mcd_lineSegIntersect(cm, start, end, &hit))
-            continue;
-        hit.model = cm;
-        if (!first->model || mcd_isHitNearer(&hit, first))
-            *first = hit;
+/* Up to MCD_SEGMENTS of the rays, and the first hit of each; of a ray without one, `model` is null. */
+typedef struct RayGroup {
+    McdSegment segment[MCD_SEGMENTS];
+    double from[MCD_SEGMENTS][3], by[MCD_SEGMENTS][3];
+    McdLineSegIntersectResult first[MCD_SEGMENTS];
+    int count;
+} RayGroup;
+
+static void beginGroup(RayGroup *g, const McdRay rays[], int count) {
+    g->count = MeMIN(count, (int)MCD_SEGMENTS);
+    for (int i = 0; i < g->count; i++) {
+        McdSegment *s = &g->segment[i];
+        MeVector3Copy(s->from, rays[i].from);
+        MeVector3Add(s->to, s->from, rays[i].by);
+        mcd_fromReal(g->from[i], s->from);
+        mcd_fromReal(g->by[i], s->to);
+        mcd_sub(g->by[i], g->by[i], g->from[i]);
+        g->first[i].model = 0;
     }
-    return first->model != 0;
+}
+
+static void castOntoModel(const Rays *r, RayGroup *g, int proxy) {
+    static const double still[3] = {0, 0, 0};
+    const McdModelID cm = modelOf(&r->q, proxy);
+    McdSegment segment[MCD_SEGMENTS];
+    McdLineSegIntersectResult hit[MCD_SEGMENTS];
+    int number[MCD_SEGMENTS], count = 0;
+    for (int i = 0; i < g->count && !mcd_record(cm)->isGone; i++)
+        if (mcd_treeCastBox(&r->q.space->proxy[proxy].fat, g->from[i], g->by[i], still, 1)) {
+            segment[count] = g->segment[i];
+            number[count++] = i;
+        }
+    const MeU32 hits = mcd_lineSegsIntersect(cm, segment, count, hit);
+    for (int k = 0; k < count; k++) {
+        McdLineSegIntersectResult *first = &g->first[number[k]];
+        if (hits >> k & 1 && (!first->model || mcd_isHitNearer(&hit[k], first)))
+            *first = hit[k];
+    }
+}
+
+/* Casts rays onto these models, with the answers of McdSpaceCastRay. */
+static void castOntoList(const Rays *r, const McdRay rays[], int count, McdCastResult results[]) {
+    for (int from = 0; from < count; from += MCD_SEGMENTS) {
+        RayGroup g;
+        beginGroup(&g, rays + from, count - from);
+        for (int i = 0; i < r->count; i++)
+            castOntoModel(r, &g, r->proxy[i]);
+        for (int i = 0; i < g.count; i++)
+            if (g.first[i].model)
+                writeRay(&g.first[i], MeVector3Magnitude(rays[from + i].by), &results[from + i]);
+    }
 }
 
 static MeBool areRays(const McdRay rays[], int count) {
@@ -563,12 +592,9 @@ void MEAPI McdSpaceCastRays(McdSpaceID space, const McdRay rays[], int count, Mc
         return;
     MeStageBegin(&space->frame->stage, MCD_GUARD_MODELS);
     findNearRays(&r, rays, count);
-    for (int i = 0; i < count; i++) {
-        McdLineSegIntersectResult hit;
-        if (r.isFull)
-            McdSpaceCastRay(space, rays[i].from, rays[i].by, filter, filterData, &results[i]);
-        else if (castOntoList(&r, &rays[i], &hit))
-            writeRay(&hit, MeVector3Magnitude(rays[i].by), &results[i]);
-    }
+    if (!r.isFull)
+        castOntoList(&r, rays, count, results);
+    for (int i = 0; i < count && r.isFull; i++)
+        McdSpaceCastRay(space, rays[i].from, rays[i].by, filter, filterData, &results[i]);
     MeStageEnd(&space->frame->stage, MCD_GUARD_MODELS);
 }

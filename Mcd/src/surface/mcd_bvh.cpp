@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/AABB.h>
+#include <limits>
 #include <memory>
 
 using Box = fcl::AABB<MeReal>;
@@ -65,33 +66,64 @@ Box boxOf(const McdBvhTriangles &t, int triangle) {
     return box;
 }
 
+/* FCL has a node's numbers behind calls into its library. */
+inline bool isLeaf(const Node *n) {
+    return n->first_child < 0;
+}
+inline int triangleOf(const Node *n) {
+    return -n->first_child - 1;
+}
+
+/* Vectors of two doubles and of four coordinates, by extensions of GCC and Clang: registers of SSE2, or scalars. */
+using Two = double __attribute__((vector_size(2 * sizeof(double))));
+using Four = MeReal __attribute__((vector_size(4 * sizeof(MeReal))));
+
+inline Two minOf(Two a, Two b) {
+    return a < b ? a : b;
+}
+inline Two maxOf(Two a, Two b) {
+    return a > b ? a : b;
+}
+
+/* The box of a search, rounded outward to the boxes' precision: the same boxes overlap it. */
+struct Around {
+    Four low, high; /* -oo, low; high, oo */
+    Around(const double min[3], const double max[3]) {
+        const MeReal none = std::numeric_limits<MeReal>::infinity();
+        low[0] = -none;
+        high[3] = none;
+        for (int i = 0; i < 3; i++) {
+            MeReal a = static_cast<MeReal>(min[i]), b = static_cast<MeReal>(max[i]);
+            low[i + 1] = static_cast<double>(a) < min[i] ? std::nextafter(a, none) : a;
+            high[i] = static_cast<double>(b) > max[i] ? std::nextafter(b, -none) : b;
+        }
+    }
+    /* Compares all axes without branches: the separating axis is unpredictable. */
+    bool overlaps(const Box &b) const {
+        const Four min = {b.min_[0], b.min_[1], b.min_[2], 0}, max = {0, b.max_[0], b.max_[1], b.max_[2]};
+        const auto is = (min <= high) & (low <= max);
+        return (is[0] & is[1] & is[2] & is[3]) != 0;
+    }
+};
+
 struct Query {
     const Model &model;
-    const double *low, *high;
+    Around around;
     McdBvhVisit visit;
     void *context;
 
-    /* Compares all axes without branches: the separating axis is unpredictable. */
-    bool overlaps(const Box &b) const {
-        int is = 1;
-        for (int i = 0; i < 3; i++) {
-            is &= static_cast<double>(b.min_[i]) <= high[i];
-            is &= low[i] <= static_cast<double>(b.max_[i]);
-        }
-        return is != 0;
-    }
     /* Visits the leaves below n, whose box overlaps. */
     bool walk(const Node *n) const {
-        while (!n->isLeaf()) {
-            const Node *first = &model.getBV(n->leftChild()), *second = &model.getBV(n->rightChild());
-            const bool isFirst = overlaps(first->bv), isSecond = overlaps(second->bv);
+        while (!isLeaf(n)) {
+            const Node *first = &model.getBV(n->first_child), *second = first + 1;
+            const bool isFirst = around.overlaps(first->bv), isSecond = around.overlaps(second->bv);
             if (!isFirst && !isSecond)
                 return true;
             if (isFirst && isSecond && !walk(first))
                 return false;
             n = isSecond ? second : first;
         }
-        return visit(context, n->primitiveId()) != 0;
+        return visit(context, triangleOf(n)) != 0;
     }
 };
 
@@ -103,27 +135,29 @@ double inverseOf(double x) {
 
 struct Cast {
     const Model &model;
-    const double *from;
-    double inverse[3]; /* of the displacement */
+    Two from, inverse; /* along x and y; inverse: of the displacement */
+    double fromZ, inverseZ;
     double fraction;
+    int ray; /* its number */
     McdBvhCastVisit visit;
     void *context;
 
     /* The fraction at which the segment enters the box; infinite if it does not before `fraction`. The end of the
      * interval is enlarged by the rounding of both ends, so that nothing slips between boxes. */
     double enters(const Box &b) const {
-        double first = 0, last = INFINITY;
-        for (int i = 0; i < 3; i++) {
-            const double low = (static_cast<double>(b.min_[i]) - from[i]) * inverse[i];
-            const double high = (static_cast<double>(b.max_[i]) - from[i]) * inverse[i];
-            first = std::max(first, std::min(low, high));
-            last = std::min(last, std::max(low, high));
-        }
+        const Two low = {static_cast<double>(b.min_[0]), static_cast<double>(b.min_[1])};
+        const Two high = {static_cast<double>(b.max_[0]), static_cast<double>(b.max_[1])};
+        const Two one = (low - from) * inverse, two = (high - from) * inverse;
+        const Two near = minOf(one, two), far = maxOf(one, two);
+        const double oneZ = (static_cast<double>(b.min_[2]) - fromZ) * inverseZ;
+        const double twoZ = (static_cast<double>(b.max_[2]) - fromZ) * inverseZ;
+        const double first = std::max(std::max(near[0], near[1]), std::max(std::min(oneZ, twoZ), 0.));
+        const double last = std::min(std::min(far[0], far[1]), std::max(oneZ, twoZ));
         return first <= std::min(fraction, last * (1 + 4 * DBL_EPSILON)) ? first : INFINITY;
     }
     void walk(const Node *n) {
-        while (!n->isLeaf()) {
-            const Node *near = &model.getBV(n->leftChild()), *far = &model.getBV(n->rightChild());
+        while (!isLeaf(n)) {
+            const Node *near = &model.getBV(n->first_child), *far = near + 1;
             double nearAt = enters(near->bv), farAt = enters(far->bv);
             if (farAt < nearAt) {
                 std::swap(near, far);
@@ -140,10 +174,27 @@ struct Cast {
             n = near;
         }
         const double last = fraction;
-        fraction = visit(context, n->primitiveId(), last);
+        fraction = visit(context, ray, triangleOf(n), last);
         MEASSERT(!(fraction > last)); /* nothing is cast farther than it may go */
     }
 };
+
+/* The lowest node below which are all triangles whose boxes overlap that of a search; null: there are none. */
+const Node *lowestAround(const Model &model, const Around &around) {
+    const Node *n = &model.getBV(0);
+    if (!around.overlaps(n->bv))
+        return nullptr;
+    while (!isLeaf(n)) {
+        const Node *first = &model.getBV(n->first_child), *second = first + 1;
+        const bool isFirst = around.overlaps(first->bv), isSecond = around.overlaps(second->bv);
+        if (isFirst && isSecond)
+            return n;
+        if (!isFirst && !isSecond)
+            return nullptr;
+        n = isFirst ? first : second;
+    }
+    return n;
+}
 
 } // namespace
 
@@ -185,13 +236,29 @@ void mcd_bvhBounds(const McdBvh *bvh, MeVector3 min, MeVector3 max) {
 }
 
 void mcd_bvhQuery(const McdBvh *bvh, const double low[3], const double high[3], McdBvhVisit visit, void *context) {
-    const Query query{bvh->model, low, high, visit, context};
-    if (query.overlaps(bvh->model.getBV(0).bv))
+    const Query query{bvh->model, Around(low, high), visit, context};
+    if (query.around.overlaps(bvh->model.getBV(0).bv))
         query.walk(&bvh->model.getBV(0));
 }
 
-void mcd_bvhCast(const McdBvh *bvh, const double from[3], const double by[3], McdBvhCastVisit visit, void *context) {
-    Cast cast{bvh->model, from, {inverseOf(by[0]), inverseOf(by[1]), inverseOf(by[2])}, 1, visit, context};
-    if (cast.enters(bvh->model.getBV(0).bv) <= 1)
-        cast.walk(&bvh->model.getBV(0));
+/* Segments side by side, as of the wheels of a car, have most of the way down in common: it is walked once, by the box
+ * of all. */
+void mcd_bvhCast(const McdBvh *bvh, int count, const double from[][3], const double by[][3], McdBvhCastVisit visit,
+                 void *context) {
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY};
+    for (int ray = 0; ray < count; ray++)
+        for (int i = 0; i < 3; i++) {
+            const double end = from[ray][i] + by[ray][i];
+            const double rounding = 8 * DBL_EPSILON * (std::fabs(from[ray][i]) + std::fabs(end));
+            low[i] = std::min(low[i], std::min(from[ray][i], end) - rounding);
+            high[i] = std::max(high[i], std::max(from[ray][i], end) + rounding);
+        }
+    const Node *start = lowestAround(bvh->model, Around(low, high));
+    for (int ray = 0; start && ray < count; ray++) {
+        const double *f = from[ray], *d = by[ray];
+        Cast cast{bvh->model, {f[0], f[1]}, {inverseOf(d[0]), inverseOf(d[1])}, f[2], inverseOf(d[2]), 1, ray,
+                  visit,      context};
+        if (cast.enters(start->bv) <= 1)
+            cast.walk(start);
+    }
 }

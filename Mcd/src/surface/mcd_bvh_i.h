@@ -31,10 +31,12 @@ void mcd_bvhBounds(const McdBvh *bvh, MeVector3 min, MeVector3 max);
 /* Calls visit for each triangle whose box overlaps a box, until it returns false. */
 typedef MeBool (*McdBvhVisit)(void *context, int triangle);
 void mcd_bvhQuery(const McdBvh *bvh, const double low[3], const double high[3], McdBvhVisit visit, void *context);
-/* Calls visit for each triangle whose box a segment from `from` by `by` may hit before the current fraction of its
- * length, initially 1, then what visit returns. The order is roughly from near to far. */
-typedef double (*McdBvhCastVisit)(void *context, int triangle, double fraction);
-void mcd_bvhCast(const McdBvh *bvh, const double from[3], const double by[3], McdBvhCastVisit visit, void *context);
+/* For segments from `from` by `by`, best side by side: calls visit for each triangle whose box segment number `ray` may
+ * hit before the current fraction of its length, initially 1, then what visit returns. The order is roughly from near
+ * to far. */
+typedef double (*McdBvhCastVisit)(void *context, int ray, int triangle, double fraction);
+void mcd_bvhCast(const McdBvh *bvh, int count, const double from[][3], const double by[][3], McdBvhCastVisit visit,
+                 void *context);
 
 ME_END_C
 
