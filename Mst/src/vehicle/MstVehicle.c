@@ -264,6 +264,7 @@ int MEAPI MstVehicleAddWheel(MstVehicleID v, const MstWheelParams *params) {
         return -1;
     w->params = *params;
     findPeaks(w);
+    mst_wheelSteer(v, w, 0);
     if (!makeWheel(v, w, body)) {
         mst_wheelEndBody(w);
         if (w->shape)
@@ -274,6 +275,7 @@ int MEAPI MstVehicleAddWheel(MstVehicleID v, const MstWheelParams *params) {
     pairWheels(v, w);
     v->wheel[v->wheelCount++] = w;
     v->load[0] = 0;
+    v->steered = 2;
     mst_vehicleBalance(v, body);
     mst_vehicleShow(v, body);
     return v->wheelCount - 1;

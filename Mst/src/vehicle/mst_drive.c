@@ -94,10 +94,14 @@ static double leanedCurvature(const MstVehicle *v, MdtBodyID b, double curvature
     return fmin(fmax(curvature, -limit), limit);
 }
 
+/* The wheels of one that does not lean stand by the lock alone. */
 static void steer(MstVehicle *v, MdtBodyID b, const double gravity[3], double h) {
     const double by = (double)v->params.steeringRate * h;
     double behind, slope;
     v->lock += fmin(fmax(v->steering - v->lock, -by), by);
+    if (v->lock == v->steered && !(v->params.leanLimit > 0))
+        return;
+    v->steered = v->lock;
     const double target = curvatureOf(v, v->lock, &behind, &slope);
     const double curvature = v->params.leanLimit > 0 ? leanedCurvature(v, b, target, gravity) : target;
     const double upright =
@@ -106,7 +110,7 @@ static void steer(MstVehicle *v, MdtBodyID b, const double gravity[3], double h)
         MstWheel *w = v->wheel[i];
         const double ahead = placeOf(w, v->forward) - behind, aside = placeOf(w, v->left);
         const double toSide = upright * (slope + curvature * ahead);
-        w->steering = w->params.steering != 0 ? atan(toSide / fmax(1 - curvature * aside, 1e-3)) : 0;
+        mst_wheelSteer(v, w, w->params.steering != 0 ? atan(toSide / fmax(1 - curvature * aside, 1e-3)) : 0);
     }
 }
 

@@ -229,11 +229,10 @@ typedef struct Tyre {
     double direction[3];
 } Tyre;
 
-static Tyre tyreOf(const MstVehicle *v, const MstWheel *w, const MdtKeaTransformation *pose, int unknown) {
+static Tyre tyreOf(const MstWheel *w, const MdtKeaTransformation *pose, int unknown) {
     Tyre t = {.unknown = unknown, .wheel = w, .ground = w->ground ? mst_freeBodyOf(w->ground) : 0};
-    double forward[3], local[3], axle[3];
-    mst_wheelAxes(v, w, forward, local);
-    keaApply(axle, pose->R, local);
+    double axle[3];
+    keaApply(axle, pose->R, w->axle);
     keaCross(t.direction, axle, w->normal);
     keaScale(t.direction, 1 / fmax(keaLength(t.direction), 1e-9), t.direction);
     return t;
@@ -258,7 +257,7 @@ static void addTyres(System *s, const MstVehicle *v, MdtBodyID b, double h) {
         if (!isDriven(w) || !w->data->isOnGround || w->model)
             continue;
         const double max = w->data->bound[0];
-        tyre[count++] = tyreOf(v, w, &pose, addUnknown(s, -max, max, i, w->data->radius));
+        tyre[count++] = tyreOf(w, &pose, addUnknown(s, -max, max, i, w->data->radius));
     }
     for (int i = 0; i < count; i++) {
         const MdtBclGroundWheel *d = tyre[i].wheel->data;

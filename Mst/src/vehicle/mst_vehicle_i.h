@@ -26,6 +26,7 @@ typedef struct MstWheel {
     double inertia;               /* kg m², with its part of the engine's */
     double torque, brake;         /* N m, of this step */
     double steering;              /* rad */
+    double forward[3], axle[3];   /* by it: the direction in which it rolls, its axle, to the left; chassis' frame */
     double slip[2];
     struct MstWheel *twin;        /* the other one of the axle's first two wheels; null: none */
     MeBool isFirst;               /* of the two */
@@ -55,6 +56,7 @@ struct MstVehicle {
     double throttle, steering, brake, handbrake; /* as the program drives */
     MeBool hasChanged;                           /* since the last step */
     double lock;                                 /* -1 .. 1, of the steering now */
+    double steered;                              /* the lock by which wheels stand; beyond 1: to be found anew */
     MeBool isAutomatic, isDriving;               /* isDriving: this step's throttle acts on the wheels */
     int gear;
     double shiftLeft;                  /* s, until the gear is in */
@@ -82,8 +84,8 @@ void mst_vehicleDrive(MstVehicle *v, MdtBodyID b, double h);
 /* Locks of differentials: their torques in this step, after the cast; what is left to them after the step. */
 void mst_vehicleLock(MstVehicle *v, MdtBodyID b, double h);
 void mst_vehicleEqualize(MstVehicle *v, MdtBodyID b, double h);
-/* The direction in which a wheel rolls, and its axle, to the left, chassis' frame. */
-void mst_wheelAxes(const MstVehicle *v, const MstWheel *w, double forward[3], double axle[3]);
+/* Sets a wheel's steering, and the axes that follow from it. */
+void mst_wheelSteer(const MstVehicle *v, MstWheel *w, double angle);
 /* Whether what a wheel stands on is still there. */
 MeBool mst_wheelHasGround(const MstWheel *w);
 /* Whether what a wheel stands on has moved or is gone. */

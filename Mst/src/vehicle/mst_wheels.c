@@ -124,10 +124,11 @@ static void toWorld(const MdtKeaTransformation *pose, const double local[3], dou
     keaAddScaled(world, 1, pose->pos);
 }
 
-void mst_wheelAxes(const MstVehicle *v, const MstWheel *w, double forward[3], double axle[3]) {
-    keaScale(forward, cos(w->steering), v->forward);
-    keaAddScaled(forward, sin(w->steering), v->left);
-    keaCross(axle, v->up, forward);
+void mst_wheelSteer(const MstVehicle *v, MstWheel *w, double angle) {
+    w->steering = angle;
+    keaScale(w->forward, cos(angle), v->forward);
+    keaAddScaled(w->forward, sin(angle), v->left);
+    keaCross(w->axle, v->up, w->forward);
 }
 
 static void setAxes(MeMatrix4 tm, const double x[3], const double y[3], const double z[3], const double position[3]) {
@@ -157,14 +158,13 @@ static void pathOf(const MstVehicle *v, const MstWheel *w, const MdtKeaTransform
 
 static MeBool castShape(const MstVehicle *v, const MstWheel *w, const MdtKeaTransformation *pose, const Path *path,
                         McdCastResult *hit) {
-    double forward[3], axle[3], x[3], z[3];
+    double x[3], y[3], z[3];
     MeMatrix4 tm;
     const MeVector3 by = {(MeReal)path->by[0], (MeReal)path->by[1], (MeReal)path->by[2]};
-    mst_wheelAxes(v, w, forward, axle);
-    keaApply(x, pose->R, forward);
-    keaApply(z, pose->R, axle);
-    keaCross(forward, z, x);
-    setAxes(tm, x, forward, z, path->start);
+    keaApply(x, pose->R, w->forward);
+    keaApply(z, pose->R, w->axle);
+    keaCross(y, z, x);
+    setAxes(tm, x, y, z, path->start);
     return McdSpaceCastGeometry(v->universe->space, w->shape, (const MeVector4 *)tm, by, isGround, (void *)(size_t)v,
                                 hit) != 0;
 }
@@ -212,11 +212,10 @@ static MeBool findGround(MstWheel *w, const Path *path, const McdCastResult *hit
 
 static void placeJoint(const MstVehicle *v, MstWheel *w, MdtBodyID b) {
     MdtWheelPlace place;
-    double axle[3];
     const MdtBodyID found = w->ground ? mst_bodyInWorld(v, w->ground) : 0, ground = found != b ? found : 0;
     keaCopy(place.position, w->position);
     keaCopy(place.up, v->up);
-    mst_wheelAxes(v, w, place.forward, axle);
+    keaCopy(place.forward, w->forward);
     keaCopy(place.point, w->point);
     keaCopy(place.normal, w->ground ? w->normal : v->up);
     MdtGroundWheelPlace(w->joint, &place, ground);
@@ -342,21 +341,20 @@ void mst_vehicleShow(MstVehicle *v, MdtBodyID b) {
     MdtBodyGetExactPose(b, &pose);
     for (int i = 0; i < v->wheelCount; i++) {
         MstWheel *w = v->wheel[i];
-        double forward[3], axle[3], place[3], centre[3], x[3], y[3], z[3], turned[3];
+        double place[3], centre[3], x[3], y[3], z[3], turned[3];
         const double length = w->data ? w->data->length : w->length, angle = w->data ? w->data->angle : 0;
         if (w->model) {
             mst_wheelBodyShow(w);
             continue;
         }
         shareBar(w);
-        mst_wheelAxes(v, w, forward, axle);
         keaCopy(place, w->position);
         keaAddScaled(place, -length, v->up);
         toWorld(&pose, place, centre);
-        keaScale(turned, cos(angle), forward); /* rolls from up to forward */
+        keaScale(turned, cos(angle), w->forward); /* rolls from up to forward */
         keaAddScaled(turned, -sin(angle), v->up);
         keaApply(x, (const double(*)[3])pose.R, turned);
-        keaApply(z, (const double(*)[3])pose.R, axle);
+        keaApply(z, (const double(*)[3])pose.R, w->axle);
         keaCross(y, z, x);
         setAxes(w->transform, x, y, z, centre);
     }
