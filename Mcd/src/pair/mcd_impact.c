@@ -118,12 +118,14 @@ static MeBool staysOnOneSide(const Sweep *w, const McdMeshTriangle *t) {
     return (start > reach && end > reach) || (start < -reach && end < -reach);
 }
 
-static MeBool impactOnTriangle(void *context, const McdMeshTriangle *t, const McdShape *triangle) {
+static MeBool impactOnTriangle(void *context, const McdMeshTriangle *t) {
     Sweep *w = context;
+    McdShape triangle;
     if (w->path.from > w->search->time || staysOnOneSide(w, t))
         return METRUE;
     w->approach.front = t->flags & kMcdTriangleTwoSided ? NULL : t->normal;
-    mcd_moverInit(&w->approach.other, triangle, triangle->place);
+    mcd_triangleShape(t->corner, &triangle);
+    mcd_moverInit(&w->approach.other, &triangle, triangle.place);
     keepFirst(w->search, &w->approach, w->path.from, MeMIN(w->path.to, w->search->time));
     w->path.last = w->search->time;
     return METRUE;
@@ -139,7 +141,8 @@ static void impactOnSurface(Search *s, int side, const McdShape *shape, McdGeome
         w.path.high[i] = m.centre[i] + reach;
         w.path.by[i] = m.velocity[i];
     }
-    mcd_meshForEachAlong(surface, side ? s->pair->model2 : s->pair->model1, s->origin, &w.path, impactOnTriangle, &w);
+    const McdMeshPathVisit visit = impactOnTriangle;
+    mcd_meshForEachAlong(surface, side ? s->pair->model2 : s->pair->model1, s->origin, &w.path, &visit, 1, &w);
 }
 
 /* ---- parts ------------------------------------------------------------------------------------------------------- */

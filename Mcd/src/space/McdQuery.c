@@ -2,6 +2,7 @@
 #include "McdQuery.h"
 #include "McdInternal.h"
 #include "McdGeometry.h"
+#include "convex/mcd_cast_i.h"
 #include "convex/mcd_kind_i.h"
 #include "pair/mcd_pair_i.h"
 #include "space/mcd_space_i.h"
@@ -306,13 +307,14 @@ static double touchingGap(const Cast *c) {
 
 /* Conservative advancement: an open gap has a separating plane, so the shapes cannot touch before the motion has
  * closed the gap along that plane's normal. other: the part's shape, or one of its triangles; null: the part is a
- * plane. Returns false if they do not touch up to the fraction c->fraction. */
+ * plane. *fraction: from where they may touch, then where they do. Returns false if they do not up to the fraction
+ * c->fraction. */
 static MeBool advanceToTouch(const Cast *c, const McdShape *other, ChildGap *hit, double *fraction) {
     enum { MAX_ADVANCES = 100 };
     const double enough = touchingGap(c), *origin = c->q.origin;
     McdShape moved = c->q.shape;
     McdGap *gap = &hit->gap;
-    double t = 0;
+    double t = *fraction;
     for (int i = 0; i < MAX_ADVANCES; i++) {
         mcd_mad(moved.place, c->q.shape.place, t, c->by);
         gap->distance = other ? mcd_convexDistance(&moved, other, gap->onShape, gap->onOther, gap->normal)
@@ -343,7 +345,7 @@ static void keepFirstHit(Cast *c, McdModelID cm, const ChildGap *hit, double t) 
 
 static void castOntoShape(Cast *c, McdModelID cm, McdGeometryInstance *child, const McdShape *other) {
     ChildGap hit = {.child = child};
-    double t;
+    double t = 0;
     if (advanceToTouch(c, other, &hit, &t))
         keepFirstHit(c, cm, &hit, t);
 }
@@ -357,15 +359,73 @@ typedef struct MeshCast {
     McdGeometryInstance *child;
 } MeshCast;
 
-static MeBool visitTriangle(void *context, const McdMeshTriangle *t, const McdShape *triangle) {
+static MeBool isFromBehind(const Cast *c, const McdMeshTriangle *t) {
+    return !(t->flags & kMcdTriangleTwoSided) && mcd_dot(t->normal, c->by) > 0;
+}
+
+static McdTriangleCast triangleCast(const Cast *c, const McdMeshTriangle *t) {
+    return (McdTriangleCast){&c->q.shape, t->corner, t->normal, c->by, c->fraction};
+}
+
+/* Where the point that first reaches the triangle's plane does so within the triangle, that is the hit. */
+static MeBool visitFace(void *context, const McdMeshTriangle *t) {
+    const MeshCast *m = context;
+    ChildGap hit = {.child = m->child, .element = t->element, .isPatch = t->isPatch};
+    const McdTriangleCast cast = triangleCast(m->cast, t);
+    if (isFromBehind(m->cast, t))
+        return METRUE;
+    const double fraction = mcd_castToPlane(&cast, hit.gap.onShape, hit.gap.normal);
+    if (!(fraction > 0 && fraction <= m->cast->fraction) || !mcd_castIsOver(&cast, hit.gap.onShape))
+        return METRUE;
+    hit.gap.distance = 0;
+    mcd_copy(hit.gap.onOther, hit.gap.onShape);
+    keepFirstHit(m->cast, m->model, &hit, fraction);
+    m->path->last = m->cast->fraction;
+    return METRUE;
+}
+
+/* Whether the box around the shape touches that around the triangle on its way to the first hit. */
+static MeBool doBoxesTouch(const McdMeshPath *path, const McdMeshTriangle *t) {
+    double enter = 0, leave = path->last;
+    for (int i = 0; i < 3; i++) {
+        const double from = mcd_triangleLow(t, i) - path->high[i], to = mcd_triangleHigh(t, i) - path->low[i];
+        if (path->by[i] == 0 && (from > 0 || to < 0))
+            return MEFALSE;
+        if (path->by[i] == 0)
+            continue;
+        const double one = from / path->by[i], two = to / path->by[i];
+        enter = MeMAX(enter, MeMIN(one, two));
+        leave = MeMIN(leave, MeMAX(one, two));
+    }
+    return enter <= leave;
+}
+
+/* A fraction before which a triangle that is no hit of visitFace is not touched; INFINITY: it is none at all. */
+static double boundOf(const MeshCast *m, const McdMeshTriangle *t) {
+    const McdTriangleCast cast = triangleCast(m->cast, t);
+    double point[3], normal[3];
+    if (!doBoxesTouch(m->path, t))
+        return INFINITY;
+    const double fraction = mcd_castToPlane(&cast, point, normal);
+    if (fraction > cast.last || (fraction > 0 && mcd_castIsOver(&cast, point)))
+        return INFINITY;
+    const double bound = mcd_castBound(&cast, fraction, point);
+    return bound > 0 && isFromBehind(m->cast, t) ? INFINITY : bound;
+}
+
+/* The hits of all other triangles. */
+static MeBool visitTriangle(void *context, const McdMeshTriangle *t) {
     const MeshCast *m = context;
     Cast *c = m->cast;
     ChildGap hit = {.child = m->child, .element = t->element, .isPatch = t->isPatch};
-    double fraction;
-    if (!advanceToTouch(c, triangle, &hit, &fraction))
+    McdShape shape;
+    double fraction = boundOf(m, t);
+    if (fraction > c->fraction)
         return METRUE;
-    const MeBool isFromBehind = !(t->flags & kMcdTriangleTwoSided) && mcd_dot(t->normal, c->by) > 0;
-    if (!isFromBehind || (fraction == 0 && hit.gap.distance < -touchingGap(c)))
+    mcd_triangleShape(t->corner, &shape);
+    if (!advanceToTouch(c, &shape, &hit, &fraction))
+        return METRUE;
+    if (!isFromBehind(c, t) || (fraction == 0 && hit.gap.distance < -touchingGap(c)))
         keepFirstHit(c, m->model, &hit, fraction);
     m->path->last = c->fraction;
     return METRUE;
@@ -379,7 +439,8 @@ static void castMesh(Cast *c, McdModelID cm, McdGeometryInstance *child) {
         path.high[i] = c->q.max[i] - c->q.origin[i] + touchingGap(c);
         path.by[i] = c->by[i];
     }
-    mcd_meshForEachAlong(child, c->q.self, c->q.origin, &path, visitTriangle, &m);
+    const McdMeshPathVisit visit[2] = {visitFace, visitTriangle};
+    mcd_meshForEachAlong(child, c->q.self, c->q.origin, &path, visit, 2, &m);
 }
 
 /* ---- casts onto models */

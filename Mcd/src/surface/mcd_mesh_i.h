@@ -34,10 +34,10 @@ typedef struct McdMeshTriangle {
 
 /* The smallest and the largest of its corners' coordinates i. */
 static inline double mcd_triangleLow(const McdMeshTriangle *t, int i) {
-    return fmin(fmin(t->corner[0][i], t->corner[1][i]), t->corner[2][i]);
+    return MeMIN3(t->corner[0][i], t->corner[1][i], t->corner[2][i]);
 }
 static inline double mcd_triangleHigh(const McdMeshTriangle *t, int i) {
-    return fmax(fmax(t->corner[0][i], t->corner[1][i]), t->corner[2][i]);
+    return MeMAX3(t->corner[0][i], t->corner[1][i], t->corner[2][i]);
 }
 
 typedef struct McdMeshContact {
@@ -122,10 +122,12 @@ typedef struct McdMeshPath {
     double low[3], high[3], by[3], last; /* relative to the origin, at time 0 */
     double from, to;                     /* of the piece that is visited */
 } McdMeshPath;
-/* mcd_meshForEachNear for the path of a box, in pieces one after the other, so that the box around each contains few
- * triangles that are far from it. A triangle may be visited in several pieces. */
+/* Visits the triangles near the path of a box, as mcd_meshForEachNear, in pieces one after the other, so that the box
+ * around each contains few triangles that are far from it. A triangle may be visited in several pieces. In each, all
+ * are visited by visit[0], then all by visit[1], and so on, until one returns false. */
+typedef MeBool (*McdMeshPathVisit)(void *context, const McdMeshTriangle *t);
 void mcd_meshForEachAlong(McdGeometryInstance *ins, McdModelID asker, const double origin[3], McdMeshPath *path,
-                          McdMeshVisit visit, void *context);
+                          const McdMeshPathVisit visit[], int visits, void *context);
 /* The signed distance of a convex shape from another part of a model, the nearest points and the normal (to the shape);
  * INFINITY: the part is a surface without triangles within reach. */
 typedef struct McdGap {

@@ -46,37 +46,55 @@ static void setMeshFrame(McdMeshQuery *q, const McdGeometryInstance *ins, const 
     q->ballRadius = sqrt(sum);
 }
 
-void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const double origin[3], const double low[3],
-                         const double high[3], McdMeshVisit visit, void *context) {
+/* The triangles near a box, in a scratch. */
+typedef struct NearBox {
     McdMeshQuery q;
+    McdFramework *frame;
+} NearBox;
+
+/* False, after a fatal error: there is no memory. asker: mcd_meshForEachNear. */
+static MeBool beginNear(NearBox *n, McdGeometryInstance *ins, McdModelID asker, const double origin[3],
+                        const double low[3], const double high[3]) {
     McdStandIn standIn;
     McdModelPair pair;
-    double boundsLow[3], boundsHigh[3];
-    McdFramework *frame = ins->geometry->frame;
-    mcd_meshBounds(ins, origin, boundsLow, boundsHigh);
-    if (!doBoxesOverlap(low, high, boundsLow, boundsHigh))
-        return;
-    memset(&q, 0, sizeof q);
+    McdMeshQuery *q = &n->q;
+    n->frame = ins->geometry->frame;
+    memset(q, 0, sizeof *q);
     memset(&pair, 0, sizeof pair);
-    q.scratch = mcd_scratchAcquire(frame, "McdDistance");
-    if (!q.scratch)
-        return;
+    q->scratch = mcd_scratchAcquire(n->frame, "McdDistance");
+    if (!q->scratch)
+        return MEFALSE;
     pair.model2 = mcd_standInBegin(&standIn, ins); /* the pair for a triangle list's callback */
     pair.model1 = asker ? asker : pair.model2;
-    q.pair = &pair;
-    q.mesh = &q.scratch->mesh;
-    mcd_copy(q.origin, origin);
-    setMeshFrame(&q, ins, low, high);
-    q.mesh->count = q.mesh->skipped = q.mesh->vertexCount = 0;
-    mcd_kindOf(ins->geometry)->gather(&q);
+    q->pair = &pair;
+    q->mesh = &q->scratch->mesh;
+    mcd_copy(q->origin, origin);
+    setMeshFrame(q, ins, low, high);
+    q->mesh->count = q->mesh->skipped = q->mesh->vertexCount = 0;
+    mcd_kindOf(ins->geometry)->gather(q);
     mcd_standInEnd(pair.model2, ins);
+    q->pair = 0;
+    return METRUE;
+}
+
+static void endNear(NearBox *n) {
+    mcd_scratchRelease(n->frame, n->q.scratch);
+}
+
+void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const double origin[3], const double low[3],
+                         const double high[3], McdMeshVisit visit, void *context) {
+    double boundsLow[3], boundsHigh[3];
+    NearBox n;
+    mcd_meshBounds(ins, origin, boundsLow, boundsHigh);
+    if (!doBoxesOverlap(low, high, boundsLow, boundsHigh) || !beginNear(&n, ins, asker, origin, low, high))
+        return;
     MeBool goesOn = METRUE;
-    for (int i = 0; i < q.mesh->count && goesOn; i++) {
+    for (int i = 0; i < n.q.mesh->count && goesOn; i++) {
         McdShape shape;
-        mcd_triangleShape(mcd_constRows(q.mesh->triangle[i].corner), &shape);
-        goesOn = visit(context, &q.mesh->triangle[i], &shape);
+        mcd_triangleShape(mcd_constRows(n.q.mesh->triangle[i].corner), &shape);
+        goesOn = visit(context, &n.q.mesh->triangle[i], &shape);
     }
-    mcd_scratchRelease(frame, q.scratch);
+    endNear(&n);
 }
 
 /* Sets the interval of the motion in which the box overlaps the mesh's; false if there is none. */
@@ -99,7 +117,7 @@ static MeBool clipToMesh(McdGeometryInstance *ins, const double origin[3], const
 }
 
 void mcd_meshForEachAlong(McdGeometryInstance *ins, McdModelID asker, const double origin[3], McdMeshPath *path,
-                          McdMeshVisit visit, void *context) {
+                          const McdMeshPathVisit visit[], int visits, void *context) {
     enum { MAX_PIECES = 64 };
     double enter, leave, size[3];
     if (!clipToMesh(ins, origin, path, &enter, &leave))
@@ -117,7 +135,14 @@ void mcd_meshForEachAlong(McdGeometryInstance *ins, McdModelID asker, const doub
             low[i] = path->low[i] + fmin(path->from * path->by[i], path->to * path->by[i]);
             high[i] = path->high[i] + fmax(path->from * path->by[i], path->to * path->by[i]);
         }
-        mcd_meshForEachNear(ins, asker, origin, low, high, visit, context);
+        NearBox near;
+        if (!beginNear(&near, ins, asker, origin, low, high))
+            return;
+        MeBool goesOn = METRUE;
+        for (int k = 0; k < visits; k++)
+            for (int i = 0; i < near.q.mesh->count && goesOn; i++)
+                goesOn = visit[k](context, &near.q.mesh->triangle[i]);
+        endNear(&near);
     }
 }
 
