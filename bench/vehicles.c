@@ -1,8 +1,9 @@
 /* What cars cost that drive about.
  *
- *     vehicles [--cars N] [--steps N] [--plane] [--cast ray|sphere|cylinder]
+ *     vehicles [--cars N] [--steps N] [--plane] [--triangle M] [--rough M] [--cast ray|sphere|cylinder]
  *
- * 100 cars, 600 steps of 1/60 s, rays. Hills of a mesh of 20 000 triangles, or a plane. Each car drives in circles of
+ * 100 cars, 600 steps of 1/60 s, rays. Hills of a mesh of 20 000 triangles, or with legs of M metres, and bumps of that
+ * height on them; or a plane. Each car drives in circles of
  * its own, 12 m from the next. A line for every hundred steps: ms a step, mean and median and the worst;
  * wheels on the ground; the mean speed. */
 #include "timing.h"
@@ -13,37 +14,46 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { STRETCH = 100, SIDE = 100, MAX_CARS = 10000 };
+enum { STRETCH = 100, MAX_SIDE = 1500, MAX_CARS = 10000 };
 
 typedef struct Options {
     int cars, steps, cast;
     MeBool isPlane;
+    double triangle, rough; /* m; triangle 0: a hundred on each side */
 } Options;
 
 static MstUniverseID u;
 static MstVehicleID car[MAX_CARS];
 
-static void addGround(MeBool isPlane, double size) {
-    static MeMatrix4 tm = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
-    static MeVector3 vertex[(SIDE + 1) * (SIDE + 1)];
-    static int index[6 * SIDE * SIDE];
+static double heightAt(double x, double y, int i, int j, double rough) {
+    const unsigned noise = ((unsigned)i * 2654435761u) ^ ((unsigned)j * 2246822519u);
+    return .6 * sin(x / 4) * cos(y / 5) - .6 + rough * (noise >> 8 & 0xffff) / 0xffff;
+}
+
+static McdGeometryID makeHills(const Options *o, double size) {
+    static MeVector3 vertex[(MAX_SIDE + 1) * (MAX_SIDE + 1)];
+    static int index[6 * MAX_SIDE * MAX_SIDE];
+    const int wanted = o->triangle > 0 ? (int)(size / o->triangle) : 100, side = wanted < 2          ? 2
+                                                                                 : wanted > MAX_SIDE ? MAX_SIDE
+                                                                                                     : wanted;
     int n = 0;
-    for (int i = 0; i <= SIDE; i++)
-        for (int j = 0; j <= SIDE; j++) {
-            const double x = (i - SIDE / 2) * size / SIDE, y = (j - SIDE / 2) * size / SIDE;
-            MeVector3Set(vertex[i * (SIDE + 1) + j], (MeReal)x, (MeReal)y, (MeReal)(.6 * sin(x / 4) * cos(y / 5) - .6));
+    for (int i = 0; i <= side; i++)
+        for (int j = 0; j <= side; j++) {
+            const double x = (i - side / 2) * size / side, y = (j - side / 2) * size / side;
+            MeVector3Set(vertex[i * (side + 1) + j], (MeReal)x, (MeReal)y, (MeReal)heightAt(x, y, i, j, o->rough));
         }
-    for (int i = 0; i < SIDE; i++)
-        for (int j = 0; j < SIDE; j++) {
-            const int a = i * (SIDE + 1) + j, b = a + SIDE + 1, corner[6] = {a, b, b + 1, a, b + 1, a + 1};
+    for (int i = 0; i < side; i++)
+        for (int j = 0; j < side; j++) {
+            const int a = i * (side + 1) + j, b = a + side + 1, corner[6] = {a, b, b + 1, a, b + 1, a + 1};
             memcpy(index + n, corner, sizeof corner);
             n += 6;
         }
-    MstFixedModelCreate(u,
-                        isPlane ? McdPlaneCreate(u->frame)
-                                : (McdGeometryID)McdMeshCreate(u->frame, (const MeVector3 *)vertex,
-                                                               (SIDE + 1) * (SIDE + 1), index, n / 3, 0),
-                        tm);
+    return McdMeshCreate(u->frame, (const MeVector3 *)vertex, (side + 1) * (side + 1), index, n / 3, 0);
+}
+
+static void addGround(const Options *o, double size) {
+    static MeMatrix4 tm = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+    MstFixedModelCreate(u, o->isPlane ? McdPlaneCreate(u->frame) : makeHills(o, size), tm);
 }
 
 static MstVehicleID addCar(const Options *o, double x, double y) {
@@ -73,7 +83,7 @@ static void make(const Options *o) {
     if (!u)
         abort();
     MdtWorldSetGravity(u->world, 0, 0, (MeReal)-9.81);
-    addGround(o->isPlane, 12. * side + 60);
+    addGround(o, 12. * side + 60);
     for (int i = 0; i < o->cars; i++)
         car[i] = addCar(o, 12 * (i % side - (side - 1) / 2.), 12 * (i / side - (side - 1) / 2.));
 }
@@ -106,7 +116,7 @@ static int castOf(const char *name) {
 }
 
 int main(int argc, char **argv) {
-    Options o = {100, 600, 0, MEFALSE};
+    Options o = {100, 600, 0, MEFALSE, 0, 0};
     static double times[STRETCH];
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--plane") == 0)
@@ -115,6 +125,10 @@ int main(int argc, char **argv) {
             o.cars = atoi(argv[++i]);
         else if (i + 1 < argc && strcmp(argv[i], "--steps") == 0)
             o.steps = atoi(argv[++i]);
+        else if (i + 1 < argc && strcmp(argv[i], "--triangle") == 0)
+            o.triangle = atof(argv[++i]);
+        else if (i + 1 < argc && strcmp(argv[i], "--rough") == 0)
+            o.rough = atof(argv[++i]);
         else if (i + 1 < argc && strcmp(argv[i], "--cast") == 0)
             o.cast = castOf(argv[++i]);
     }
