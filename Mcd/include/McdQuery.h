@@ -37,6 +37,7 @@ typedef struct McdCastResult {
     MeReal fraction;        /**< Fraction of the displacement up to the hit, 0 .. 1. */
     MeVector3 position;     /**< The contact point then. */
     MeVector3 normal;       /**< Length 1, from the model to the cast shape; undefined for a ray that starts inside. */
+    MeBool hasElement;      /**< Whether the part has triangles: element.tag 0 is then the first, else there is none. */
 } McdCastResult;
 
 /** A category, mask and group of a query, which finds the models that would collide with a model of such a filter

@@ -89,6 +89,7 @@ TEST(shapes_are_cast_up_to_what_they_touch_first) {
             if (isHit)
                 assert_near(gapAt(g, at, by, end), 0, tolerance);
             ck_assert(!isHit || MeVector3Dot(hit.normal, by) < 0);
+            ck_assert(!isHit || hit.hasElement == (hit.model == model[0]));
             hits += isHit;
             misses += !isHit;
         }
@@ -125,6 +126,7 @@ TEST(rays_side_by_side_hit_what_each_hits_alone) {
             if (!isHit)
                 continue;
             ck_assert(one.model == all[i].model && one.element.tag == all[i].element.tag);
+            ck_assert(one.hasElement == (one.model == model[0]) && one.hasElement == all[i].hasElement);
             ck_assert(memcmp(&one.fraction, &all[i].fraction, sizeof one.fraction) == 0);
             ck_assert(memcmp(one.position, all[i].position, sizeof one.position) == 0);
             ck_assert(memcmp(one.normal, all[i].normal, sizeof one.normal) == 0);

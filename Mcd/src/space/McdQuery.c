@@ -495,6 +495,7 @@ static void writeCast(const Cast *c, McdCastResult *result) {
     result->model = c->model;
     result->instance = c->hit.child;
     result->element = elementOf(c);
+    result->hasElement = mcd_isSurface(c->hit.child);
     result->material = mcd_elementMaterial(c->hit.child, result->element);
     result->fraction = (MeReal)c->fraction;
     toWorld(&c->q, c->hit.gap.onOther, result->position);
@@ -524,6 +525,7 @@ static void writeRay(const McdLineSegIntersectResult *hit, MeReal length, McdCas
     result->model = hit->model;
     result->instance = hit->instance;
     result->element = hit->element;
+    result->hasElement = mcd_isSurface(hit->instance);
     result->material = mcd_elementMaterial(hit->instance, hit->element);
     result->fraction = length > 0 ? MeMIN(hit->distance / length, 1) : 0;
     MeVector3Copy(result->position, hit->position);
