@@ -105,6 +105,10 @@ typedef struct MstWheelParams {
     MeReal brake, handbrake;  /**< N m, >= 0. */
     MeReal rollingResistance; /**< >= 0, of its load: stops a vehicle that coasts. */
     MstCurve along, across;   /**< Tyre force over load, by slip: both from x >= 0 on, with a peak > 0 at x > 0. */
+    int material;             /**< Of the bridge: the curves are multiplied by the coefficient of friction of its pair
+                                   with the material of the ground there (of a mesh's triangle, its own), if the program
+                                   has set that (MdtContactParamsSetSurface). -1, the default: they hold on any ground.
+                                   Wheels that are bodies have the chassis' material. */
 } MstWheelParams;
 
 /** What a wheel does, after a step. World frame. */
@@ -134,6 +138,12 @@ MEPUBLIC void MEAPI MstVehicleDestroy(MstVehicleID v);
 /** Adds a wheel, which takes one of the universe's constraints. Returns its number, from 0; -1, with a warning, for bad
  *  parameters. */
 MEPUBLIC int MEAPI MstVehicleAddWheel(MstVehicleID v, const MstWheelParams *params);
+/** Changes a wheel, its tyre, spring, radius or place, and wakes the vehicle. Ask MstVehicleGetWheelParams first, and
+ *  change what is to differ. False, with a warning, and nothing changes, for bad parameters and wheels that are bodies.
+ *  Legal between steps. */
+MEPUBLIC MeBool MEAPI MstVehicleSetWheelParams(MstVehicleID v, int wheel, const MstWheelParams *params);
+/** Writes the parameters of a wheel. False, with a warning, and nothing is written, if there is none of that number. */
+MEPUBLIC MeBool MEAPI MstVehicleGetWheelParams(MstVehicleID v, int wheel, MstWheelParams *params);
 /**
  * Drives, until the next call; wakes the vehicle if anything changes.
  * @param throttle  0 .. 1; with the automatic -1 .. 1: against the motion it brakes, then goes the other way

@@ -72,7 +72,8 @@ void MEAPI MstWheelSetDefaults(MstWheelParams *params, MstUniverseID u) {
                                .brake = 1500 * torque,
                                .rollingResistance = (MeReal)0.012,
                                .along = tyre,
-                               .across = tyre};
+                               .across = tyre,
+                               .material = -1};
 }
 
 /* ---- life -------------------------------------------------------------------------------------------------------- */
@@ -202,6 +203,7 @@ MdtBodyID mst_bodyInWorld(const MstVehicle *v, McdModelID cm) {
 
 static void findPeaks(MstWheel *w) {
     const MstCurve *const curve[2] = {&w->params.along, &w->params.across};
+    w->peakForce[0] = w->peakForce[1] = 0;
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < curve[k]->count; i++)
             if ((double)curve[k]->point[i].y > w->peakForce[k]) {
@@ -232,28 +234,52 @@ static MeBool makeWheel(MstVehicleID v, MstWheel *w, MdtBodyID body) {
     return w->joint != 0;
 }
 
-/* Ties the first two wheels of an axle. */
-static void pairWheels(const MstVehicle *v, MstWheel *w) {
-    MstWheel *first = 0;
-    int count = 0;
+/* Whether a wheel before this one is of the same axle. */
+static MeBool isOnEarlierAxle(const MstVehicle *v, int wheel) {
+    for (int i = 0; i < wheel; i++)
+        if (v->wheel[i]->params.axle == v->wheel[wheel]->params.axle)
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Ties the first two wheels of each axle. */
+static void pairWheels(const MstVehicle *v) {
+    for (int i = 0; i < v->wheelCount; i++) {
+        v->wheel[i]->twin = 0;
+        v->wheel[i]->isFirst = MEFALSE;
+    }
     for (int i = 0; i < v->wheelCount; i++)
-        if (v->wheel[i]->params.axle == w->params.axle && count++ == 0)
-            first = v->wheel[i];
-    if (count != 1)
-        return;
-    first->twin = w;
-    first->isFirst = METRUE;
-    w->twin = first;
+        for (int k = i + 1; k < v->wheelCount && !isOnEarlierAxle(v, i) && !v->wheel[i]->twin; k++)
+            if (v->wheel[k]->params.axle == v->wheel[i]->params.axle) {
+                v->wheel[i]->twin = v->wheel[k];
+                v->wheel[i]->isFirst = METRUE;
+                v->wheel[k]->twin = v->wheel[i];
+            }
+}
+
+/* What follows from the parameters of all wheels. */
+static void fitWheels(MstVehicleID v, MdtBodyID body) {
+    pairWheels(v);
+    v->load[0] = 0;
+    v->steered = 2;
+    mst_vehicleBalance(v, body);
+    mst_vehicleShow(v, body);
+}
+
+/* What is wrong with a wheel's parameters for this vehicle; null: nothing. */
+static const char *faultOf(const MstVehicle *v, MdtBodyID body, const MstWheelParams *params) {
+    return !params                                        ? "params is null"
+           : !body                                        ? "the chassis has been destroyed"
+           : !mst_vehicleHasMaterial(v, params->material) ? "material is neither -1 nor one of the bridge's"
+                                                          : mst_wheelFault(params);
 }
 
 int MEAPI MstVehicleAddWheel(MstVehicleID v, const MstWheelParams *params) {
     if (!isVehicle(v, "MstVehicleAddWheel"))
         return -1;
     const MdtBodyID body = mst_vehicleBody(v);
-    const char *fault = !params                               ? "params is null"
-                        : !body                               ? "the chassis has been destroyed"
-                        : v->wheelCount == MST_VEHICLE_WHEELS ? "the vehicle has MST_VEHICLE_WHEELS wheels"
-                                                              : mst_wheelFault(params);
+    const char *fault =
+        v->wheelCount == MST_VEHICLE_WHEELS ? "the vehicle has MST_VEHICLE_WHEELS wheels" : faultOf(v, body, params);
     if (fault || !MeProgramMayChange("MstVehicleAddWheel")) {
         if (fault)
             MeWarning(1, "MstVehicleAddWheel: %s", fault);
@@ -263,6 +289,7 @@ int MEAPI MstVehicleAddWheel(MstVehicleID v, const MstWheelParams *params) {
     if (!w)
         return -1;
     w->params = *params;
+    w->friction = 1;
     findPeaks(w);
     mst_wheelSteer(v, w, 0);
     if (!makeWheel(v, w, body)) {
@@ -272,12 +299,8 @@ int MEAPI MstVehicleAddWheel(MstVehicleID v, const MstWheelParams *params) {
         MeMemoryGive(w);
         return -1;
     }
-    pairWheels(v, w);
     v->wheel[v->wheelCount++] = w;
-    v->load[0] = 0;
-    v->steered = 2;
-    mst_vehicleBalance(v, body);
-    mst_vehicleShow(v, body);
+    fitWheels(v, body);
     return v->wheelCount - 1;
 }
 
@@ -296,6 +319,46 @@ static MdtBodyID bodyOf(MstVehicleID v, const char *function) {
     if (!b && v && MST_IS_KNOWN(v, MST_VEHICLE))
         MeWarning(1, "%s: the vehicle's chassis has been destroyed: destroy the vehicle, too", function);
     return b;
+}
+
+/* Gives the wheel the shape of its new size. False, after a message: there is none, and it stays as it is. */
+static MeBool remakeShape(const MstVehicle *v, MstWheel *w, const MstWheelParams *params) {
+    MstWheel made = {.params = *params};
+    if (!w->shape || (params->radius == w->params.radius && params->width == w->params.width))
+        return METRUE;
+    if (!makeShape(v, &made))
+        return MEFALSE;
+    McdGeometryDestroy(w->shape);
+    w->shape = made.shape;
+    return METRUE;
+}
+
+MeBool MEAPI MstVehicleSetWheelParams(MstVehicleID v, int wheel, const MstWheelParams *params) {
+    MstWheel *w = wheelOf(v, wheel, "MstVehicleSetWheelParams");
+    if (!w)
+        return MEFALSE;
+    const MdtBodyID body = mst_vehicleBody(v);
+    const char *fault =
+        w->model ? "the wheel is a body: its parameters are those that it was added with" : faultOf(v, body, params);
+    if (fault)
+        MeWarning(1, "MstVehicleSetWheelParams: %s; nothing is changed", fault);
+    if (fault || !MeProgramMayChange("MstVehicleSetWheelParams") || !remakeShape(v, w, params))
+        return MEFALSE;
+    w->params = *params;
+    findPeaks(w);
+    fitWheels(v, body);
+    v->hasChanged = METRUE;
+    return METRUE;
+}
+
+MeBool MEAPI MstVehicleGetWheelParams(MstVehicleID v, int wheel, MstWheelParams *params) {
+    const MstWheel *w = wheelOf(v, wheel, "MstVehicleGetWheelParams");
+    if (w && !params)
+        MeWarning(1, "MstVehicleGetWheelParams: params is null");
+    if (!w || !params)
+        return MEFALSE;
+    *params = w->params;
+    return METRUE;
 }
 
 MdtBclGroundWheel *mst_wheelData(MstWheel *w, MdtBodyID b) {

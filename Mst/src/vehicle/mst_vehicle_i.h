@@ -28,6 +28,7 @@ typedef struct MstWheel {
     double steering;              /* rad */
     double forward[3], axle[3];   /* by it: the direction in which it rolls, its axle, to the left; chassis' frame */
     double slip[2];
+    double friction;              /* of the ground: the factor of the tyre's curves */
     struct MstWheel *twin;        /* the other one of the axle's first two wheels; null: none */
     MeBool isFirst;               /* of the two */
     double stiffness, freeLength; /* of the spring alone: N/m, m */
@@ -101,6 +102,8 @@ void mst_wheelBodyDrive(const MstVehicle *v, const MstWheel *w);
 void mst_wheelBodyShow(MstWheel *w);
 /* Transforms of wheels. */
 void mst_vehicleShow(MstVehicle *v, MdtBodyID b);
+/* Whether a wheel's material is one of the bridge's, or none. */
+MeBool mst_vehicleHasMaterial(const MstVehicle *v, int material);
 double mst_curveAt(const MstCurve *c, double x);
 /* What is wrong with parameters; null: nothing. */
 const char *mst_vehicleFault(const MstVehicleParams *p);

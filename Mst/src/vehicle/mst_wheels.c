@@ -186,12 +186,40 @@ static void castAll(const MstVehicle *v, const MdtKeaTransformation *pose, const
                 hit[i].model = 0;
 }
 
+static const MstBridgeRecord *bridgeOf(const MstVehicle *v) {
+    const MstUniverse *u = v->universe;
+    return u->bridge && MeHandleIsLive(u->bridge, MST_BRIDGE) ? (const MstBridgeRecord *)u->bridge : 0;
+}
+
+MeBool mst_vehicleHasMaterial(const MstVehicle *v, int material) {
+    const MstBridgeRecord *b = bridgeOf(v);
+    return material == -1 || (material >= 0 && b && (unsigned)material < b->materialCount);
+}
+
+/* The coefficient of friction of contacts; 1: the program has not set it. */
+static double coefficientOf(const MdtBclContactParams *params) {
+    if (params->type == MdtContactTypeFrictionZero)
+        return params->options & MdtBclContactOptionTypeSet ? 0 : 1;
+    return params->model1 == MdtFrictionModelBox ? 1 : (double)params->frictioncoeff1;
+}
+
+/* The factor of the tyre's curves on ground of a material. */
+static double frictionOn(const MstVehicle *v, const MstWheel *w, MstMaterialID ground) {
+    static const double min = 1e-3; /* a tyre without any friction has no slip at its peak */
+    const MstBridgeRecord *b = w->params.material >= 0 ? bridgeOf(v) : 0;
+    if (!b || ground >= b->materialCount || (unsigned)w->params.material >= b->materialCount)
+        return 1;
+    const MstMaterialPair *pair = mst_materialPair(b, (MstMaterialID)w->params.material, ground);
+    return keaMax(coefficientOf(&pair->params), min);
+}
+
 /* Takes what the cast has hit, if it is no wall, and measures how far the wheel's centre is from its plane. False: the
  * wheel hangs. */
-static MeBool findGround(MstWheel *w, const Path *path, const McdCastResult *hit) {
+static MeBool findGround(const MstVehicle *v, MstWheel *w, const Path *path, const McdCastResult *hit) {
     static const double minSlope = 0.2; /* cosine of the suspension's angle to the normal: steeper ground is a wall */
     double from[3];
     w->ground = 0;
+    w->friction = 1;
     if (!hit->model)
         return MEFALSE;
     for (int k = 0; k < 3; k++) {
@@ -204,6 +232,7 @@ static MeBool findGround(MstWheel *w, const Path *path, const McdCastResult *hit
         return MEFALSE;
     w->data->distance = isShape(w) ? keaDot(from, w->normal) : (double)w->params.radius * slope;
     w->data->length = (double)hit->fraction * path->length - (isShape(w) ? 1 : 2) * (double)w->params.radius;
+    w->friction = frictionOn(v, w, hit->material);
     w->ground = hit->model;
     w->groundSerial = McdModelGetSerial(hit->model);
     w->groundStamp = McdModelGetStamp(hit->model);
@@ -237,7 +266,7 @@ static void setTyre(MstWheel *w, double h) {
     MdtBclGroundWheel *d = w->data;
     const double tread = d->radius * d->spin, speed = fmax(fabs(d->velocity[0]), fabs(tread));
     const double weight = w->stiffness * (w->freeLength - (double)w->params.bump); /* that it carries at rest */
-    const double load = fmax(fmax(d->load, 1e-3 * weight), 1e-12 * w->stiffness * w->freeLength);
+    const double load = w->friction * fmax(fmax(d->load, 1e-3 * weight), 1e-12 * w->stiffness * w->freeLength);
     const double slide[2] = {d->velocity[0] - tread, d->velocity[1]};
     double unit[2], s = 0;
     for (int k = 0; k < 2; k++) {
@@ -325,7 +354,7 @@ void mst_vehicleCast(MstVehicle *v, MdtBodyID b, double h) {
         MstWheel *w = v->wheel[i];
         if (!w->data)
             continue;
-        setData(w, findGround(w, &path[i], &hit[i]), isAnyParked, h);
+        setData(w, findGround(v, w, &path[i], &hit[i]), isAnyParked, h);
         if (!w->model)
             placeJoint(v, w, b);
     }
