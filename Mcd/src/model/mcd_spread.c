@@ -113,6 +113,22 @@ static MeBool haveOneNormal(const McdSpot *spot, int count) {
     return METRUE;
 }
 
+/* Rad: the slope of the plane through the separations, by least squares: that of a face that tilts about any axis. Widths
+ * far below the extent count as zero. */
+static double slopeOf(const Choice *c, const McdSpot *middle, double extent) {
+    double axis[2][3], uu = c->count * sameNeed * extent * sameNeed * extent, uv = 0, vv = uu, us = 0, vs = 0;
+    mcd_basis(c->spot[0].at + 3, axis[0], axis[1]);
+    for (int i = 0; i < c->count; i++) {
+        double arm[3];
+        mcd_sub(arm, c->spot[i].at, middle->at);
+        const double u = mcd_dot(arm, axis[0]), v = mcd_dot(arm, axis[1]);
+        uu += u * u, uv += u * v, vv += v * v;
+        us += u * c->spot[i].separation, vs += v * c->spot[i].separation;
+    }
+    const double det = uu * vv - uv * uv;
+    return det > 0 ? hypot(us * vv - vs * uv, vs * uu - us * uv) / det : 0;
+}
+
 /* Measures the spots' extent, and scales their normals. */
 static Choice beginChoice(McdSpot *spot, int count, McdSpot *middle) {
     Choice c = {spot, count, 3, 0, 0, 0};
@@ -126,10 +142,12 @@ static Choice beginChoice(McdSpot *spot, int count, McdSpot *middle) {
     }
     for (int i = 0; i < count; i++)
         extent = fmax(extent, distanceOf(&c, middle, &spot[i]));
-    c.tilt = fmax(extent > 0 ? 1.1 * (high - low) / extent : 0, flatRange);
+    const MeBool isFlat = haveOneNormal(spot, count);
+    const double slope = isFlat ? slopeOf(&c, middle, extent) : 0;
+    c.tilt = fmax(extent > 0 ? 1.1 * fmax((high - low) / extent, slope) : 0, flatRange);
     c.slack = sameNeed * c.tilt * extent;
     c.level = sameNeed * flatRange * extent;
-    if (haveOneNormal(spot, count))
+    if (isFlat)
         return c;
     c.dims = 6;
     for (int i = 0; i < count; i++)
