@@ -228,6 +228,16 @@ static void makeLoadedCubes(const double p[3]) {
     put(cube, p[1], 0, count + 1., 0);
 }
 
+/* A slab that falls by .1 m onto four layers of cubes of 1 kg that lie .01 m above each other: cubes along an edge of a
+ * layer; kg. */
+static void makeSlabOnCubes(const double p[3]) {
+    const McdGeometryID cube = boxOf(1, 1, 1);
+    const int edge = (int)p[0];
+    for (int i = 0; i < 4 * edge * edge; i++)
+        put(cube, 1, 1.02 * (i % edge), .5 + 1.01 * (i / (edge * edge)), 1.02 * (i / edge % edge));
+    put(boxOf(edge, 1, edge), p[1] / (edge * edge), .51 * (edge - 1), 4.64, .51 * (edge - 1));
+}
+
 /* A bridge of 30 planks of 1 kg in a row, hung up at both ends 20 m high, and a cube above its middle: m, by how much
  * it sags at first, to 1 %; kg. */
 static void makeLoadedBridge(const double p[3]) {
@@ -512,6 +522,7 @@ static void makeSwinging(const double p[3]) {
 
 static const Scene scenes[] = {
     {"ton-cubes", makeLoadedCubes, {{8, 10, 20}, {100, 1000}}, 10, &overlapAndDrift, .001},
+    {"slab", makeSlabOnCubes, {{2, 3, 4}, {1e3, 1e4}}, 5, &overlapAndDrift, .001},
     {"ton-bridge", makeLoadedBridge, {{.1, .5, 1}, {1, 1000, 10000}}, 20, &below, .001},
     {"kapla", makeKapla, {{60, 100}}, 30, &sinkAndFallen, .001},
     {"stack", makeStack, {{20, 63, 64, 65, 100}, {1, .05, .02}, {1}}, 10, &sinkAndDrift, 1e-4},

@@ -30,7 +30,7 @@ typedef struct MdtIslandRecord {
     MdtSolver requested; /* the last answer of MdtSolverCB, if there is one */
     MeBool hasNoContacts;
     MeBool isUnfit; /* the fast solver does not suit it: there are no contacts, or bodies bounce */
-    MeBool isUnmet; /* the fast solver's last answer missed the accuracy */
+    float excess;   /* of the fast solver's last answer (MdtReport.excess): above 1 it missed the accuracy */
     int stepsUntilRetry,
         stepsSinceTry; /* steps to wait before the fast solver is tried again; steps since its last try */
     MeBool wasExact;   /* the exact solver solved the last step */
@@ -39,6 +39,7 @@ typedef struct MdtIslandRecord {
     MeBool isExactFirst; /* the exact solver is tried first */
     MdtAccount account;  /* the account that pays the exact work */
     double share;        /* multiplications that the exact solver may use */
+    double reserve;      /* multiplications that it may use besides if the fast solver's answer is worthless */
     double drawn, loan;  /* parts of `share`: from `account`, and lent by MDT_NEEDED; after the step, what is unused */
 } MdtIslandRecord;
 

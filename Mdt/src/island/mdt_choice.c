@@ -10,8 +10,10 @@
  *        times as much
  *     5  the world's accounts of exact work pay it                                exact    Afforded
  *     6  otherwise                                                                fast     Dear
- *     7  the exact solver declines the step, as it costs more than expected, or   fast     TakenOver
- *        leaves joints open: for the rest of the step
+ *     7  the exact solver declines the step, as its share runs out before the     fast     TakenOver
+ *        answer meets the accuracy, or leaves joints open: for the rest of the
+ *        step
+ *     8  the fast answer is worthless (mdt_lostExcess): the step is solved again  exact    Afforded
  *
  * The cost is predicted from the last steps (MdtIslandRecord). There are two accounts; each step pays into both:
  *
@@ -23,7 +25,8 @@
  * A partition whose last step the fast solver solved to the accuracy stays with it: as the solvers stop bodies at
  * different speeds, each change between them disturbs bodies that come to rest.
  * The accounts pay no step that costs both far more than the fast solver's (mdt_maxOfFast) and more than one step
- * pays in.
+ * pays in, unless the fast answer is worthless: light bodies under a heavy one that lands would sink for ever. For these
+ * partitions the whole account of needed work is held ready (`reserve`).
  *
  * Shares are assigned before any partition is stepped, in the order of partitions, by multiplications and never by
  * time, so that results do not depend on threads. Unused work is returned. After the fast solver has missed the
@@ -55,6 +58,9 @@ static const double mdt_exactTime = 4;
  * thousand times its weight costs 8 to 64; wedged contacts cost any number: ten boxes took 300 factorizations without
  * gain. With a limit of 32 a shaken tower of 20 cubes sinks by .4 mm (Mst_Cases_Stacks). */
 static const double mdt_maxOfFast = 100;
+/* MdtReport.excess above which the fast solver's answer is worthless: bodies lack support. Slabs of 100 kg to 1000 t that
+ * land on 16 to 250 cubes leave 2e3 to 1e8, heaps of equal bodies up to 100. */
+static const double mdt_lostExcess = 1e3;
 /* Decay per step of the predicted exact cost while the exact solver is not used: to one half after 138 steps. */
 static const double mdt_forgetting = 0.995;
 /* Weight of a step's cost in the predicted one, so that a single expensive step does not end exact steps. */
@@ -100,7 +106,7 @@ void mdt_recordMerge(MdtIslandRecord *to, const MdtIslandRecord *from) {
              from->stepsUntilRetry <= MDT_WAIT_LIMIT);
     to->exactWork = fmaxf(to->exactWork, from->exactWork);
     to->fastWork = fmaxf(to->fastWork, from->fastWork);
-    to->isUnmet = to->isUnmet || from->isUnmet;
+    to->excess = fmaxf(to->excess, from->excess);
     to->isUnfit = to->isUnfit || from->isUnfit;
     to->hasNoContacts = to->hasNoContacts && from->hasNoContacts;
     to->wasExact = to->wasExact || from->wasExact;
@@ -125,6 +131,7 @@ typedef enum ShareClass {
     NO_NEED,     /* no constraints act on it, or the program has chosen */
     CERTIFIED,   /* will be solved only if an input has changed */
     FIRST,       /* in its first steps: the cost of a step with warm start is unknown */
+    LOST,        /* the fast solver's answer is worthless */
     UNMET,       /* the fast solver missed the accuracy, or does not suit it */
     STAYS_EXACT, /* no need, and the exact solver solved the last step */
     STAYS_FAST   /* no need, and the fast solver solved the last step */
@@ -137,7 +144,11 @@ static ShareClass shareClassOf(const MdtWorld *w, int partition) {
         return NO_NEED;
     if (w->bodyOf[w->bodyStart[partition]]->certificate != 0)
         return CERTIFIED;
-    return r->steps < 2 ? FIRST : r->isUnmet || r->isUnfit ? UNMET : r->wasExact ? STAYS_EXACT : STAYS_FAST;
+    return r->steps < 2                  ? FIRST
+           : r->excess > mdt_lostExcess  ? LOST
+           : r->excess > 1 || r->isUnfit ? UNMET
+           : r->wasExact                 ? STAYS_EXACT
+                                         : STAYS_FAST;
 }
 
 /* Multiplications: the predicted cost of an exact step. */
@@ -174,7 +185,7 @@ static double assignShares(MdtWorldID w, ShareClass shareClass, MeBool isExactFi
             need > mdt_payment[MDT_OPTIONAL] * budgetOf(w) && need > mdt_maxOfFast * fastStepWork(w, i);
         if (r->share > 0 || need > funds || shareClassOf(w, i) != shareClass)
             continue;
-        if (isOutOfProportion && shareClass != FIRST && !r->isUnfit)
+        if (isOutOfProportion && shareClass > LOST && !r->isUnfit)
             continue;
         r->share = r->drawn = need;
         r->account = account;
@@ -193,7 +204,7 @@ static void assignFreeShares(MdtWorldID w) {
         const double freeWork = freeWorkOf(w, i);
         const ShareClass shareClass = shareClassOf(w, i);
         r->drawn = r->loan = 0;
-        r->isExactFirst = shareClass >= UNMET && predictedWork(w, i) <= freeWork;
+        r->isExactFirst = shareClass >= LOST && predictedWork(w, i) <= freeWork;
         r->share = r->isExactFirst ? freeWork : 0;
     }
 }
@@ -214,16 +225,31 @@ static void lendFunds(MdtWorldID w, MeBool isFirst, double funds) {
         }
 }
 
+/* Lends what is left of the account of needed work, in proportion to bodies, to the partitions for which it suffices. */
+static void lendReserves(MdtWorldID w) {
+    const double funds = w->credit[MDT_NEEDED];
+    double bodies = 0;
+    for (int i = 0; i < w->numPartitions; i++)
+        bodies += shareClassOf(w, i) >= FIRST ? countBodies(w, i) : 0;
+    for (int i = 0; i < w->numPartitions; i++) {
+        const double reserve = shareClassOf(w, i) >= FIRST ? funds * countBodies(w, i) / bodies : 0;
+        w->record[i].reserve = predictedWork(w, i) <= w->record[i].share + reserve ? reserve : 0;
+        w->credit[MDT_NEEDED] -= w->record[i].reserve;
+    }
+}
+
 static void divideAccounts(MdtWorldID w) {
     const double limit = mdt_stepShare * budgetOf(w);
     assignFreeShares(w);
     assignShares(w, FIRST, METRUE, MDT_NEEDED, w->credit[MDT_NEEDED]);
+    assignShares(w, LOST, METRUE, MDT_NEEDED, w->credit[MDT_NEEDED]);
     assignShares(w, STAYS_EXACT, METRUE, MDT_OPTIONAL, fmin(limit, w->credit[MDT_OPTIONAL]));
     double left = assignShares(w, UNMET, MEFALSE, MDT_NEEDED, fmin(limit, w->credit[MDT_NEEDED]));
     left = assignShares(w, STAYS_EXACT, MEFALSE, MDT_NEEDED, left);
     assignShares(w, CERTIFIED, METRUE, MDT_OPTIONAL, w->credit[MDT_OPTIONAL]);
     lendFunds(w, MEFALSE, left);
     lendFunds(w, METRUE, w->credit[MDT_NEEDED]);
+    lendReserves(w);
 }
 
 static void payAccounts(MdtWorldID w) {
@@ -247,7 +273,7 @@ void mdt_choicesEnd(MdtWorldID w) {
     for (int i = 0; i < w->numPartitions; i++) {
         MEASSERT(w->record[i].drawn >= 0 && w->record[i].account < MDT_ACCOUNTS);
         w->credit[w->record[i].account] += w->record[i].drawn;
-        w->credit[MDT_NEEDED] = fmax(w->credit[MDT_NEEDED] + w->record[i].loan, 0);
+        w->credit[MDT_NEEDED] = fmax(w->credit[MDT_NEEDED] + w->record[i].loan + w->record[i].reserve, 0);
     }
 }
 
@@ -303,7 +329,9 @@ static int countPersistent(const MdtIsland *p, int max) {
 }
 
 static MdtReportWhy reasonForExact(const MdtIsland *p) {
-    return p->record->share == 0 ? MdtReportWhyUnfit : p->record->drawn > 0 ? MdtReportWhyAfforded : MdtReportWhyCheap;
+    return p->record->share == 0                    ? MdtReportWhyUnfit
+           : p->record->drawn + p->record->loan > 0 ? MdtReportWhyAfforded
+                                                    : MdtReportWhyCheap;
 }
 
 /* Rows 1 to 6 of the table. Unfit: the impacts of elastic bodies, of which only few are constrained, are solved one
@@ -314,7 +342,7 @@ static MdtReportWhy findReason(const MdtIsland *p) {
     const MdtIslandRecord *r = p->record;
     const MeBool isLarge = p->numBodies > p->world->timedBodies && p->numContacts > 0 && !p->bounces;
     const MeBool keepsEnergy = p->bounces && !p->losesEnergy && p->numJoints == 0;
-    const MeBool isUnmet = p->numContacts == 0 && r->isUnmet && r->stepsSinceTry <= r->stepsUntilRetry;
+    const MeBool isUnmet = p->numContacts == 0 && r->excess > 1 && r->stepsSinceTry <= r->stepsUntilRetry;
     if (p->solver == MdtSolverExact)
         return MdtReportWhyAsked;
     if (p->solver == MdtSolverAuto && isLarge && p->mayBeFast && mdt_choiceIsInFlight(p))
@@ -342,7 +370,7 @@ MdtSolver mdt_choiceSolver(MdtIsland *p) {
 /* ---- the step ---- */
 
 MeBool mdt_choiceHasShare(const MdtIsland *p) {
-    const MeBool isSatisfied = p->record->fastWork > 0 && !p->record->isUnmet;
+    const MeBool isSatisfied = p->record->fastWork > 0 && p->record->excess <= 1;
     return !p->isFast && (p->why == MdtReportWhyCheap || p->why == MdtReportWhyAfforded) &&
            (isSatisfied || p->numContacts > 0);
 }
@@ -364,16 +392,32 @@ void mdt_choiceSwitchToFast(MdtIsland *p) {
     mdt_islandSetFast(p, METRUE);
 }
 
+/* Whether the fast answer is worthless: but for joints, whose errors are corrected later, and for bodies that movers leave
+ * no room. */
+static MeBool isLost(const MdtIsland *p) {
+    return p->isFast && p->solver == MdtSolverAuto && p->mayBeFast && p->numJoints == 0 && p->record->crushed == 0 &&
+           p->kea.report.excess > mdt_lostExcess;
+}
+
 MeBool mdt_choiceNeedsExact(const MdtIsland *p) {
     const MeBool mustBeAccurate = p->numContacts == 0; /* without contacts: see findReason */
     const MeBool isAllowed = p->why == MdtReportWhyDear
                                  ? p->record->share > 0 || mustBeAccurate
                                  : p->why == MdtReportWhyTakenOver && mustBeAccurate && p->hasDeclined;
+    if (isLost(p))
+        return p->record->reserve > 0 && p->numMembers == 0 && p->elapsed == 0;
     return isAllowed && p->numMembers == 0 && p->elapsed == 0 && p->kea.report.excess > 1;
 }
 
 void mdt_choiceSwitchToExact(MdtIsland *p) {
     MEASSERT(p->isFast && p->numMembers == 0);
+    if (isLost(p)) {
+        p->record->share += p->record->reserve;
+        p->record->loan += p->record->reserve;
+        p->record->reserve = 0;
+        p->declinedWork = p->exactWork;
+        p->hasDeclined = p->hasRunOut = MEFALSE;
+    }
     p->why = p->numContacts == 0 ? MdtReportWhyUnfit : reasonForExact(p);
     mdt_islandSetFast(p, MEFALSE);
     const double budget = mdt_choiceBudget(p);
@@ -383,22 +427,25 @@ void mdt_choiceSwitchToExact(MdtIsland *p) {
 /* Records a fast step, whose accuracy decides when the fast solver is tried next. */
 static void recordFastStep(const MdtIsland *p, MdtIslandRecord *r) {
     MEASSERT(p->numBodies > 0 && !(p->excess < 0));
-    r->isUnmet = p->excess > 1;
-    r->stepsUntilRetry = !r->isUnmet ? 0 : r->stepsUntilRetry == 0 ? 1 : MeMIN(2 * r->stepsUntilRetry, MDT_WAIT_LIMIT);
+    r->excess = (float)(p->numJoints > 0 ? fmin(p->excess, mdt_lostExcess) : p->excess);
+    r->stepsUntilRetry = r->excess <= 1            ? 0
+                         : r->stepsUntilRetry == 0 ? 1
+                                                   : MeMIN(2 * r->stepsUntilRetry, MDT_WAIT_LIMIT);
     r->stepsSinceTry = 0;
     r->fastWork = (float)(p->fastWork / p->numBodies / (p->numContacts > 0 ? mdt_exactTime : 1));
 }
 
-/* The cost of an exact step for predictions. A declined step would have cost more than it did. A first step without
+/* The cost of an exact step for predictions. A step whose share ran out would have cost more. A first step without
  * warm start needs more factorizations than those that follow: one of them is counted. */
 static double exactWorkOf(const MdtIsland *p, const MdtIslandRecord *r) {
-    if (p->hasDeclined)
-        return fmax(2 * p->exactWork, p->minExactWork);
-    return r->steps == 0 ? p->exactWork / MeMAX(1, p->kea.report.factorizations) : p->exactWork;
+    const double work = p->exactWork - p->declinedWork;
+    if (p->hasRunOut)
+        return fmax(2 * work, p->minExactWork);
+    return r->steps == 0 ? work / MeMAX(1, p->kea.report.factorizations) : work;
 }
 
 static void recordExactStep(const MdtIsland *p, MdtIslandRecord *r) {
-    const double share = p->hasDeclined || r->steps < 2 ? 1 : mdt_newShare;
+    const double share = p->hasRunOut || r->steps < 2 ? 1 : mdt_newShare;
     r->exactWork += (float)(share * (exactWorkOf(p, r) / p->numBodies - (double)r->exactWork));
     MEASSERT(r->exactWork >= 0);
 }

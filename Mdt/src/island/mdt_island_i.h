@@ -57,12 +57,14 @@ typedef struct MdtIsland {
     double elapsed;                    /* s, of the step before the present part */
     double work;                       /* multiplications left for the step; MDT_NO_BOUND: unlimited */
     int iterations;                    /* iterations of Newton's method left for the step; 0: unlimited */
-    double exactWork, fastWork,
-        minExactWork;   /* multiplications: cost so far of either solver; lower bound of the exact one */
-    double excess;      /* MdtReport.excess of the fast solver's last answer */
-    MeBool hasDeclined; /* the exact solver has declined the step */
-    MeBool hadImpact;   /* there was an impact at the start of a part */
-    MeBool isStopped;   /* the part's answer was not finite, and its bodies stay; written by mdt_step.c */
+    double exactWork, fastWork;        /* multiplications: cost so far of either solver */
+    double declinedWork;               /* of exactWork: that of a declined solve that is made again */
+    double minExactWork;               /* multiplications: lower bound of what a declined solve would cost */
+    double excess;                     /* MdtReport.excess of the fast solver's last answer */
+    MeBool hasDeclined;                /* the exact solver has declined the step */
+    MeBool hasRunOut; /* it ran out of its share: an answer to its tolerance costs more than was counted */
+    MeBool hadImpact; /* there was an impact at the start of a part */
+    MeBool isStopped; /* the part's answer was not finite, and its bodies stay; written by mdt_step.c */
     /* mdt_compose.c */
     MdtStage stage;
     double forward; /* total length of the forward stages, relative to the part that they compose */

@@ -60,7 +60,7 @@ static void MEAPI chooseMembers(void *context, int first, int end, int worker) {
         MdtIsland p = mdt_islandOf(c->world, b->member[i].partition, c->h);
         mdt_islandCount(&p);
         const MeBool isPlain = p.numJoints == 0 && !p.bounces;
-        const MeBool isUnmet = p.record->isUnmet && p.record->share > 0; /* the exact solver may have to redo it */
+        const MeBool isUnmet = p.record->excess > 1 && p.record->share > 0; /* the exact solver may have to redo it */
         b->isIn[p.number] = isPlain && !isUnmet && !mdt_choiceIsInFlight(&p) && mdt_choiceSolver(&p) == MdtSolverFast;
     }
 }

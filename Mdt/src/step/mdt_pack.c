@@ -130,7 +130,7 @@ static MeBool allocateScratch(MdtIsland *p, int manifolds) {
 /* Allocates scratch memory for the exact solver, too, if it may redo a step of the fast one. */
 static MeBool allocateScratchForBoth(MdtIsland *p, int manifolds) {
     const MeBool isFast = p->isFast;
-    if (p->numMembers == 0 && p->record->share > 0)
+    if (p->numMembers == 0 && (p->record->share > 0 || p->record->reserve > 0))
         mdt_islandSetFast(p, MEFALSE);
     const MeBool isDone = allocateScratch(p, manifolds);
     mdt_islandSetFast(p, isFast);

@@ -316,7 +316,8 @@ static MeBool isLastPass(MdtKeaSystem *s, Passes *p) {
     const MeBool isCut = p->isLimited && (s->parameters.mayDecline || kea_isExactEnough(&p->e, kea_sweptMargin) ||
                                           !kea_problemMaySweep(q));
     const MeBool hasRunAway = isnan(p->e.worst) || (isinf(p->e.worst) && isfinite(p->best.worst) && !q->hasFriction);
-    const MeBool isStuck = areChains(s) && p->pass - p->marked > KEA_STUCK_PASSES; /* the step is too long */
+    const MeBool isDone = areChains(s) || (!s->work->hasJoints && kea_isExactEnough(&p->best, kea_sweptMargin));
+    const MeBool isStuck = isDone && p->pass - p->marked > KEA_STUCK_PASSES; /* of chains: the step is too long */
     return isEnough || isCut || hasRunAway || isStuck || p->pass == p->last;
 }
 
@@ -560,6 +561,6 @@ void kea_exactSolve(MdtKeaSystem *s) {
     if (s->parameters.timed && s->numRows > 0 && q->factor) /* null: there was no memory */
         kea_projectPositions(s);
     kea_reportWork(s);
-    s->report.declined = s->report.limited && s->parameters.mayDecline;
     s->report.excess = s->report.capped ? s->report.residual / residualTolerance(s) : 0;
+    s->report.declined = s->report.limited && s->parameters.mayDecline && (s->work->hasJoints || s->report.excess > 1);
 }
