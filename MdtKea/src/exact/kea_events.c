@@ -19,8 +19,14 @@
 #include "MeAssert.h"
 #include <string.h>
 
+/* A contact that overlaps is open if it leaves by more than γ of its overlap in the step; else the overlap of one that
+ * rebounds in each step would stay. */
 MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed) {
-    return !kea_isTouching(s, &s->rows[i]) || kea_startRate(s, i) > kea_separatingSpeed * speed;
+    const MdtKeaRow *row = &s->rows[i];
+    const double overlap = -row->error, least = s->parameters.gamma * overlap / s->parameters.stepsize;
+    const MeBool overlaps = overlap > kea_touchingGap * kea_smallerExtent(s, row->body);
+    return !kea_isTouching(s, row) ||
+           kea_startRate(s, i) > keaMax(kea_separatingSpeed * speed, overlaps ? least : 0);
 }
 
 /* ---- which systems are timed ---- */
