@@ -113,8 +113,8 @@ static MeBool haveOneNormal(const McdSpot *spot, int count) {
     return METRUE;
 }
 
-/* Rad: the slope of the plane through the separations, by least squares: that of a face that tilts about any axis. Widths
- * far below the extent count as zero. */
+/* Rad: the slope of the plane through the separations, by least squares: that of a face that tilts about any axis.
+ * Widths far below the extent count as zero. */
 static double slopeOf(const Choice *c, const McdSpot *middle, double extent) {
     double axis[2][3], uu = c->count * sameNeed * extent * sameNeed * extent, uv = 0, vv = uu, us = 0, vs = 0;
     mcd_basis(c->spot[0].at + 3, axis[0], axis[1]);

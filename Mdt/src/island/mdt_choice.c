@@ -25,8 +25,8 @@
  * A partition whose last step the fast solver solved to the accuracy stays with it: as the solvers stop bodies at
  * different speeds, each change between them disturbs bodies that come to rest.
  * The accounts pay no step that costs both far more than the fast solver's (mdt_maxOfFast) and more than one step
- * pays in, unless the fast answer is worthless: light bodies under a heavy one that lands would sink for ever. For these
- * partitions the whole account of needed work is held ready (`reserve`).
+ * pays in, unless the fast answer is worthless: light bodies under a heavy one that lands would sink for ever. For
+ * these partitions the whole account of needed work is kept ready (`reserve`).
  *
  * Shares are assigned before any partition is stepped, in the order of partitions, by multiplications and never by
  * time, so that results do not depend on threads. Unused work is returned. After the fast solver has missed the
@@ -58,8 +58,8 @@ static const double mdt_exactTime = 4;
  * thousand times its weight costs 8 to 64; wedged contacts cost any number: ten boxes took 300 factorizations without
  * gain. With a limit of 32 a shaken tower of 20 cubes sinks by .4 mm (Mst_Cases_Stacks). */
 static const double mdt_maxOfFast = 100;
-/* MdtReport.excess above which the fast solver's answer is worthless: bodies lack support. Slabs of 100 kg to 1000 t that
- * land on 16 to 250 cubes leave 2e3 to 1e8, heaps of equal bodies up to 100. */
+/* MdtReport.excess above which the fast solver's answer is worthless: bodies lack support. Slabs of 100 kg to 1000 t
+ * that land on 16 to 250 cubes leave 2e3 to 1e8, heaps of equal bodies up to 100. */
 static const double mdt_lostExcess = 1e3;
 /* Decay per step of the predicted exact cost while the exact solver is not used: to one half after 138 steps. */
 static const double mdt_forgetting = 0.995;
@@ -225,7 +225,7 @@ static void lendFunds(MdtWorldID w, MeBool isFirst, double funds) {
         }
 }
 
-/* Lends what is left of the account of needed work, in proportion to bodies, to the partitions for which it suffices. */
+/* Lends what is left of the account of needed work, in proportion to bodies, to partitions for which it suffices. */
 static void lendReserves(MdtWorldID w) {
     const double funds = w->credit[MDT_NEEDED];
     double bodies = 0;
@@ -392,8 +392,8 @@ void mdt_choiceSwitchToFast(MdtIsland *p) {
     mdt_islandSetFast(p, METRUE);
 }
 
-/* Whether the fast answer is worthless: but for joints, whose errors are corrected later, and for bodies that movers leave
- * no room. */
+/* Whether the fast answer is worthless: but for joints, whose errors are corrected later, and for bodies that movers
+ * leave no room. */
 static MeBool isLost(const MdtIsland *p) {
     return p->isFast && p->solver == MdtSolverAuto && p->mayBeFast && p->numJoints == 0 && p->record->crushed == 0 &&
            p->kea.report.excess > mdt_lostExcess;

@@ -25,8 +25,7 @@ MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed) {
     const MdtKeaRow *row = &s->rows[i];
     const double overlap = -row->error, least = s->parameters.gamma * overlap / s->parameters.stepsize;
     const MeBool overlaps = overlap > kea_touchingGap * kea_smallerExtent(s, row->body);
-    return !kea_isTouching(s, row) ||
-           kea_startRate(s, i) > keaMax(kea_separatingSpeed * speed, overlaps ? least : 0);
+    return !kea_isTouching(s, row) || kea_startRate(s, i) > keaMax(kea_separatingSpeed * speed, overlaps ? least : 0);
 }
 
 /* ---- which systems are timed ---- */
