@@ -1,6 +1,6 @@
 /** @file MdtSpring.h
  *  The spring: controls the distance between two points, as a spring, rod, string or elastic does
- *  (Dynamics guide ch. 3, "MdtSpring"). It adds one row and leaves all rotations free.
+ *  (Dynamics guide ch. 3, "MdtSpring"). It adds one row, another one for a motor, and leaves all rotations free.
  *
  *  The distance, m, is the coordinate of the joint's limit. Stiffness and damping are those of the limit's two stops,
  *  which both lie at the rest length: initially the distance at which the bodies are attached.
@@ -11,7 +11,8 @@
  *      elastic   lower hard, upper soft
  *
  *  If the two points coincide, the force has no direction; the last one is kept, and reaching that state gets a
- *  warning. A motor in the limit acts as a winch for a string or an elastic, but not for a spring or a rod.
+ *  warning. A motor or lock of the limit acts on the distance: as a winch of a string or an elastic, and beside the
+ *  force of a spring. The length of a rod is fixed: its motor and lock do nothing.
  */
 #ifndef MDTSPRING_H
 #define MDTSPRING_H

@@ -28,7 +28,7 @@ ME_BEGIN_C
 #define MdtBclGETMAXROWSLINEAR2     2
 #define MdtBclGETMAXROWSANGULAR3    3
 #define MdtBclGETMAXROWSSPRING6     6
-#define MdtBclGETMAXROWSSPRING      3 /**< 1 of a rod or a spring; else a motor and two stops. */
+#define MdtBclGETMAXROWSSPRING      3 /**< A motor, and two stops or the row of a spring; 1 of a rod. */
 #define MdtBclGETMAXROWSCONELIMIT   1
 #define MdtBclGETMAXROWSFPFOJOINT   6
 #define MdtBclGETMAXROWSGEAR        1

@@ -143,6 +143,8 @@ MeBool bcl_limitIsMeasured(const MdtBclLimit *limit);
 
 /* The number of rows that bcl_limitPrepare chose. */
 int bcl_limitRows(const MdtBclLimit *limit);
+/* Drops the rows of the stops and, unless keepsMotor, that of motor or lock. Returns the number of rows that remain. */
+int bcl_limitKeepMotor(MdtBclLimit *limit, MeBool keepsMotor);
 
 /* Writes the errors of the limit's rows at a value of the coordinate (without offset). Returns the number of rows. */
 int bcl_limitErrors(const MdtBclLimit *limit, double measured, double errors[]);

@@ -148,6 +148,11 @@ int bcl_limitPrepare(MdtBclLimit *limit, const MdtBclContext *x, const MdtKeaRow
     return count;
 }
 
+int bcl_limitKeepMotor(MdtBclLimit *limit, MeBool keepsMotor) {
+    limit->rows &= keepsMotor ? MOTOR | LOCK : 0;
+    return bcl_limitRows(limit);
+}
+
 /* Each of the next three functions completes a copy of the coordinate's row. */
 static void lockRow(const MdtBclLimit *limit, const MdtBclContext *x, MdtKeaRow *row) {
     row->error = limit->measured + (double)limit->offset - (double)limit->lock;

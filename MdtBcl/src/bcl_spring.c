@@ -6,7 +6,7 @@
  * The distance is the coordinate of a limit. Both stops hard and at the same length: a rod, φ = 0. Both soft and at the
  * same length: a damped spring, with the stiffness and damping of the upper stop above this length, and of the lower
  * one below it. Anything else, such as a string or an elastic: the limit itself, with hard stops as position rows, as n
- * changes with the bodies.
+ * changes with the bodies. The limit's motor or lock has a row of its own, before these; a rod has none.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -75,8 +75,9 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
     distanceRow(c, x, &row);
     s->kind = kindOf(&s->limit);
     const int count = bcl_limitPrepare(&s->limit, x, &row, s->length);
-    MEASSERT(count >= 0 && count <= 2);
-    return s->kind == MdtBclDistanceLimits ? count : 1;
+    if (s->kind == MdtBclDistanceLimits)
+        return count;
+    return 1 + bcl_limitKeepMotor(&s->limit, s->kind == MdtBclDistanceSpring);
 }
 
 /* m: the length beyond the rest length. */
@@ -88,7 +89,7 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     const MdtBclDistance *s = &c->of.distance;
     if (s->kind == MdtBclDistanceRod)
         e[0] = strain(&s->limit, distanceOf(c, pose));
-    else if (s->kind == MdtBclDistanceLimits)
+    else
         bcl_limitErrors(&s->limit, distanceOf(c, pose), e);
 }
 
@@ -97,16 +98,15 @@ static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow ro
     MdtKeaRow row;
     distanceRow(c, x, &row);
     const double e = strain(&s->limit, s->length);
-    if (s->kind == MdtBclDistanceLimits) {
-        bcl_limitFill(&s->limit, x, &row, 0, rows);
-        return;
-    }
-    rows[0] = row;
+    bcl_limitFill(&s->limit, x, &row, 0, rows);
+    rows += bcl_limitRows(&s->limit);
     if (s->kind == MdtBclDistanceRod) {
-        bcl_makePosition(&rows[0], x, e);
-    } else {
+        *rows = row;
+        bcl_makePosition(rows, x, e);
+    } else if (s->kind == MdtBclDistanceSpring) {
         const MdtBclSingleLimit *side = &s->limit.limit[e > 0];
-        bcl_makeSpring(&rows[0], e, side->stiffness, side->damping);
+        *rows = row;
+        bcl_makeSpring(rows, e, side->stiffness, side->damping);
     }
 }
 
@@ -114,8 +114,6 @@ static void readBack(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRo
     MdtBclDistance *s = &c->of.distance;
     MdtKeaRow row;
     distanceRow(c, x, &row);
-    if (s->kind != MdtBclDistanceLimits)
-        s->limit.rows = 0; /* the rows were those of a rod or spring */
     bcl_limitReadBack(&s->limit, distanceOf(c, x->pose), bcl_rate(&row, x->velocity), rows);
 }
 

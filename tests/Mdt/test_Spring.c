@@ -268,6 +268,92 @@ TEST(a_winch) {
     assert_near(lengthOf(s), 2, TOL(1e-6, 2e-12));
 }
 
+/* ---- motors of all kinds ---- */
+
+typedef struct {
+    double step, frequency, stiffness;
+    MeBool isFast; /* solver: by a contact that carries nothing, without which all is solved exactly */
+} Setting;
+
+/* Frame rates of 30 to 240 Hz, soft and stiff, both solvers. */
+static Setting setting(int i) {
+    return (Setting){1.0 / (30 << i % 4), .5 * (1 + i % 3), 40 * pow(5, i % 5), i % 2};
+}
+
+enum { SETTINGS = 12 };
+
+static Hung hangFor(Setting x, double gravity, double length) {
+    Hung s = hang(gravity, length);
+    if (!x.isFast)
+        return s;
+    MdtContactID c = MdtContactCreateBetween(s.world, s.body, NULL);
+    MdtContactSetPosition(c, 0, -1, 0);
+    MdtContactSetNormal(c, 0, 0, 1);
+    MdtContactParamsSetType(MdtContactGetParams(c), MdtContactTypeFrictionZero);
+    MdtContactEnable(c);
+    MdtWorldSetSolver(s.world, MdtSolverFast);
+    return s;
+}
+
+/* A winch of speed v shortens an elastic that is stretched, against spring and load, to its hard stop. */
+LOOP_TEST(a_winch_shortens_an_elastic, 0, SETTINGS) {
+    const Setting x = setting(_i);
+    Hung s = hangFor(x, g, 1);
+    const double speed = .2 + .1 * (_i % 3), time = .5;
+    setStop(s, 0, MEINFINITY, 0, 0);
+    setStop(s, 1, x.stiffness, 5, 0);
+    MdtBodySetPosition(s.body, 0, -2, 0);
+    MdtLimitSetLimitedForceMotor(s.limit, (MeReal)-speed, 100000);
+    MdtBodySetLinearVelocity(s.body, 0, (MeReal)speed, 0);
+    steps(s.world, (int)(time / x.step + .5), (MeReal)x.step);
+    assert_near(lengthOf(s), 2 - speed * time, TOL(8e-6, 7e-6));
+    steps(s.world, (int)(10 / x.step), (MeReal)x.step);
+    assert_near(lengthOf(s), 1, TOL(5e-7, 5e-10));
+}
+
+/* A position motor beside a spring: two springs side by side, k (d - l) + m w² (d - target) = m g. */
+LOOP_TEST(a_position_motor_acts_beside_a_spring, 0, SETTINGS) {
+    const Setting x = setting(_i);
+    Hung s = hangFor(x, g, 1);
+    const double w = 6.283185307179586 * x.frequency, motor = mass * w * w, target = 1.6;
+    MdtSpringSetStiffness(s.spring, (MeReal)x.stiffness);
+    MdtLimitSetPositionMotor(s.limit, (MeReal)target, (MeReal)x.frequency, 1, 1e5);
+    steps(s.world, (int)(20 / x.step), (MeReal)x.step);
+    assert_near(lengthOf(s), (mass * g + x.stiffness * 1 + motor * target) / (x.stiffness + motor), TOL(1e-5, 1e-5));
+}
+
+/* A lock holds the length of a spring up to its force, and no more. */
+LOOP_TEST(a_lock_holds_a_spring, 0, SETTINGS) {
+    const Setting x = setting(_i);
+    Hung s = hangFor(x, g, 1);
+    MdtSpringSetStiffness(s.spring, (MeReal)x.stiffness);
+    MdtSpringSetDamping(s.spring, 20);
+    MdtLimitSetLock(s.limit, (MeReal).8, 1e6);
+    steps(s.world, (int)(5 / x.step), (MeReal)x.step);
+    assert_near(lengthOf(s), .8, TOL(4e-7, 5e-8));
+    MdtLimitSetLock(s.limit, (MeReal).8, 2);
+    steps(s.world, (int)(60 / x.step), (MeReal)x.step);
+    assert_near(lengthOf(s), fmax(.8, 1 + (mass * g - 2) / x.stiffness), TOL(1.5e-4, 1.5e-4));
+}
+
+/* The length of a rod is fixed: neither motor nor lock changes it, or the rod's force. */
+LOOP_TEST(a_rod_has_no_motor, 0, SETTINGS) {
+    const Setting x = setting(_i);
+    Hung s = hangFor(x, g, 1);
+    double f[3];
+    MdtSpringSetStiffness(s.spring, MEINFINITY);
+    if (_i % 3 == 0)
+        MdtLimitSetPositionMotor(s.limit, (MeReal)1.5, (MeReal)x.frequency, 1, 1000);
+    else if (_i % 3 == 1)
+        MdtLimitSetLimitedForceMotor(s.limit, -1, 1000);
+    else
+        MdtLimitSetLock(s.limit, 2, 1000);
+    steps(s.world, (int)(2 / x.step), (MeReal)x.step);
+    assert_near(lengthOf(s), 1, TOL(5e-7, 2e-11));
+    read_force(MdtSpringQuaConstraint(s.spring), 0, f);
+    assert_near(f[1], mass * g, TOL(1e-5, 5e-6));
+}
+
 /* The ends that were set, in the world; and where they are now. */
 TEST(the_ends_move_with_the_bodies) {
     Hung s = hang(0, 1);
