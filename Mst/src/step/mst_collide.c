@@ -85,9 +85,10 @@ static MstOutcome outcomeOfLastTest(const MstBridgeRecord *b, MstFinding *f) {
     return MdtContactGroupIsFlat(group) ? MST_CARRIED : MST_TO_TEST;
 }
 
-/* The outcome if the last test is still valid; else MST_TO_TEST, and the inputs of the coming test are recorded. Pairs
- * that have moved a little are spared a test only in large partitions: small ones are solved so exactly that contact
- * errors of 1e-7 m would show (as under a mass ratio of a million). */
+/* The outcome if the last test is still valid; else MST_TO_TEST, and the inputs of the coming test are recorded. The
+ * last test of a fast pair never is: its time of impact was looked for within another time. Pairs that have moved a
+ * little are spared a test only in large partitions: small ones are solved so exactly that contact errors of 1e-7 m
+ * would show (as under a mass ratio of a million). */
 static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
     McdModelPair *p = f->pair;
     const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
@@ -95,7 +96,7 @@ static MstOutcome outcomeWithoutTest(const MstBridgeRecord *b, MstFinding *f) {
     const McdPairChange change = McdModelPairCompare(p, f->isFast ? 0 : b->reuse, mayMove);
     if (change == McdPairHasChanged)
         return MST_TO_TEST;
-    if (!mst_hasCallback(f->materials) &&
+    if (!f->isFast && !mst_hasCallback(f->materials) &&
         (change != McdPairHasMoved || mst_isInLargeIsland(body1) || mst_isInLargeIsland(body2))) {
         const MstOutcome outcome = outcomeOfLastTest(b, f);
         if (outcome != MST_TO_TEST)

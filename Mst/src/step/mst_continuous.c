@@ -150,13 +150,36 @@ static void clampPair(MstBridgeRecord *b, McdModelPair *p, MdtWorldID w, MeReal 
         clampBody(b, body2, time);
 }
 
+/* m/s: the largest speed at which the bodies of the pair close at a contact. */
+static MeReal closingSpeed(const McdModelPair *p) {
+    const MdtContactGroupID group = p->responseData;
+    MeReal max = 0;
+    for (MdtContactID c = MdtContactGroupGetFirstContact(group); c; c = MdtContactGroupGetNextContact(group, c)) {
+        MeVector3 normal, velocity;
+        MdtContactGetNormal(c, normal);
+        MdtContactGetRelativeVelocity(c, velocity);
+        max = MeMAX(max, -MeVector3Dot(normal, velocity));
+    }
+    return max;
+}
+
+/* s: how long the motions of bodies in contact are known. The contacts change them by about the closing speed at once,
+ * also where the shapes pass each other and do not get deep. */
+static MeReal knownTime(const McdModelPair *p, MeReal max) {
+    const MeReal margin = MeMAX(McdModelGetFastMargin(p->model1), McdModelGetFastMargin(p->model2));
+    const MeReal closing = closingSpeed(p);
+    return closing * max > margin ? margin / closing : max;
+}
+
 void mst_clampFastPair(MstBridgeRecord *b, const MstFinding *f, MeBool hasContacts, MdtWorldID w) {
     McdModelPair *p = f->pair;
     if (!f->isFast || p->isWithinLargeIsland)
         return;
     const MeReal max = remainingTime(b, p);
-    const MeReal time = f->timeToImpact != MST_UNKNOWN ? f->timeToImpact : mst_timeToImpact(b, p, hasContacts);
+    MeReal time = f->timeToImpact != MST_UNKNOWN ? f->timeToImpact : mst_timeToImpact(b, p, hasContacts);
     MEASSERT(time >= 0 && time <= max);
+    if (hasContacts && areContactsTimed(p))
+        time = knownTime(p, time);
     if (isWorthClamping(b, time, max))
         clampPair(b, p, w, MeMAX(time, minSubstep(b)));
 }
@@ -249,7 +272,8 @@ MeBool mst_mustClampLagging(const McdModelPair *p) {
 
 void mst_clampLaggingBody(MstBridgeRecord *b, const MstFinding *f) {
     MEASSERT(f->timeToImpact != MST_UNKNOWN);
-    clampBody(b, mst_bodyOf(laggingModel(f->pair)), f->timeToImpact);
+    if (isWorthClamping(b, f->timeToImpact, remainingTime(b, f->pair)))
+        clampBody(b, mst_bodyOf(laggingModel(f->pair)), f->timeToImpact);
 }
 
 /* Makes one more sub-step. Returns 0 if no body can advance. */
