@@ -137,14 +137,16 @@ MEPUBLIC McdPairChange MEAPI McdModelPairCompare(McdModelPair *p, MeReal part, c
 typedef enum McdPairTrait {
     McdPairIsAsleep = 1,  /**< both are frozen in their space (McdSpaceModelIsFrozen) */
     McdPairHasSensor = 2, /**< at least one is a sensor */
-    McdPairIsFast = 4,    /**< at least one has a fast margin (McdModelGetFastMargin) */
+    McdPairIsFast = 4,    /**< one is fast (McdModelGetFastMargin), or one is swept and the other one quick */
     McdPairIsGone = 8,    /**< one will be destroyed, or removed from its space, at the end of the stage */
 } McdPairTrait;
 /** The traits of a pair, and the materials of its models. If a model has been destroyed: 0 and material 0, with a
  *  warning. */
 MEPUBLIC MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]);
+/** m: the gap up to which a pair gets contacts that has the trait McdPairIsFast. */
+MEPUBLIC MeReal MEAPI McdModelPairGetFastMargin(const McdModelPair *p);
 /** Whether the pair's test, including all parts of its models, calls no function of the program, and all its
- *  contacts have the models' materials. Never if a model is fast, unless both are convex models or planes: parts and
+ *  contacts have the models' materials. Never if the pair is fast, unless both are convex models or planes: parts and
  *  triangles may involve the program in the search for the time of impact. */
 MEPUBLIC MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p);
 /** McdIntersect of such a pair, without checks; its models must have been compared in this round. Returns as

@@ -111,7 +111,7 @@ MEPUBLIC MeReal MEAPI McdModelGetContactTolerance(McdModelID cm);
 /**
  * Continuous collision detection: whether the space enlarges the model's box along its motion, so that it finds pairs
  * that the model would otherwise jump over (see McdSpacePathUpdateAll and McdSafeTime). In a universe, MstUniverseStep
- * then moves it from impact to impact. Default: no.
+ * then moves it from impact to impact. It suffices that one of two models is swept. Default: no.
  */
 MEPUBLIC void MEAPI McdModelSetSwept(McdModelID cm, MeBool swept);
 /** MEFALSE by default. */

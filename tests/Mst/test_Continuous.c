@@ -282,6 +282,62 @@ TEST(bullets_meet_each_other) {
                     TOL(1e-5, 1e-9));
 }
 
+/* Two shapes that meet, one of them swept: the fast one, or the one that is slow or at rest. */
+static McdGeometryID anyShape(double r) {
+    const MeReal s = (MeReal)r;
+    switch ((int)between(0, 4)) {
+    case 0:
+        return McdSphereCreate(u->frame, s);
+    case 1:
+        return McdBoxCreate(u->frame, 2 * s, s, s / 2);
+    case 2:
+        return McdSphylCreate(u->frame, s / 2, s);
+    default:
+        return McdCylinderCreate(u->frame, s, s / 2);
+    }
+}
+
+static double logBetween(double low, double high) {
+    return exp(between(log(low), log(high)));
+}
+
+/* Returns whether they have met. */
+static MeBool meetHeadOn(void) {
+    static const double steps[3] = {1. / 30, 1. / 60, 1. / 240}, ratios[5] = {0, .1, .5, 1, 3};
+    static const MdtSolver solvers[3] = {MdtSolverAuto, MdtSolverExact, MdtSolverFast};
+    const double h = steps[(int)between(0, 3)], speed = logBetween(10, 1000),
+                 r[2] = {logBetween(.03, .3), logBetween(.03, .3)};
+    const double v[2] = {speed, -speed * ratios[(int)between(0, 5)]}, aside = .2 * (r[0] + r[1]) * between(-1, 1);
+    const double time = (4 * (r[0] + r[1]) + (v[0] - v[1]) * h * between(2, 3)) / (v[0] - v[1]);
+    const int swept = (int)between(0, 2);
+    McdModelID m[2];
+    double now[2][3];
+    MdtWorldSetSolver(u->world, solvers[(int)between(0, 3)]);
+    for (int i = 0; i < 2; i++) {
+        const double at[3] = {-v[i] * time, i * aside, 0}, velocity[3] = {v[i], 0, 0};
+        m[i] = MstModelAndBodyCreate(u, anyShape(r[i]), 1000);
+        put(m[i], at, velocity);
+        McdModelSetSwept(m[i], i == swept);
+        McdModelDynamicsSetQuaternion(m[i], (MeReal)between(-1, 1), (MeReal)between(-1, 1), (MeReal)between(-1, 1), 1);
+    }
+    for (int i = 0; i < (int)(time / h) + 3; i++)
+        MstUniverseStep(u, (MeReal)h);
+    velocityOf(m[0], now[0]);
+    velocityOf(m[1], now[1]);
+    for (int i = 0; i < 2; i++)
+        MstModelAndBodyDestroy(m[i]);
+    return fabs(now[0][0] - v[0]) > 1e-3 * speed || fabs(now[1][0] - v[1]) > 1e-3 * speed;
+}
+
+TEST(it_suffices_that_one_of_two_is_swept) {
+    enum { COUNT = 200 };
+    int met = 0;
+    setRestitution(0);
+    for (int i = 0; i < COUNT; i++)
+        met += meetHeadOn();
+    ck_assert_int_eq(met, COUNT);
+}
+
 /* A wall of boxes that sleeps: the bullet wakes it, does not go through, and loses what the boxes gain. A large one is
  * not held back by the bullet. */
 static void shootWall(int columns, int rows) {

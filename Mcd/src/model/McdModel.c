@@ -31,6 +31,12 @@ static void setUpdate(McdModelRecord *m, McdModelUpdateFnPtr f) {
     MEASSERT(m->frame->updateCallbacks >= 0);
 }
 
+static void setSwept(McdModelRecord *m, MeBool isSwept) {
+    m->frame->sweptCount += isSwept - mcd_isSwept(m);
+    m->sweep = isSwept ? MCD_SWEPT : 0; /* the next update adds whether it is fast or quick */
+    MEASSERT(m->frame->sweptCount >= 0);
+}
+
 /* Resets everything except the geometry, the space and the entry in the framework's list. */
 static void setDefaults(McdModelRecord *m) {
     m->model.mBody = 0;
@@ -40,7 +46,8 @@ static void setDefaults(McdModelRecord *m) {
     m->ownsRelative = MEFALSE;
     m->linearVelocity = m->angularVelocity = 0;
     m->tolerance = m->frame->tolerance;
-    m->isSwept = m->isSensor = m->isFast = MEFALSE;
+    m->isSensor = MEFALSE;
+    setSwept(m, MEFALSE);
     m->sensorMask = ~0u;
     setFilter(m, (McdFilter){.category = 1, .mask = 0xffffffffu, .group = 0});
     m->requestId = McdModelGetDefaultRequestID();
@@ -157,6 +164,7 @@ static void destroyModel(McdModelRecord *m) {
     MeMemoryGive(m->own);
     m->own = 0;
     setUpdate(m, 0);
+    setSwept(m, MEFALSE);
     dropGeometry(m);
     recordToPool(m);
 }
@@ -631,13 +639,14 @@ void MEAPI McdModelSetSwept(McdModelID cm, MeBool swept) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetSwept");
     if (!m)
         return;
-    m->isSwept = swept != 0;
+    if (mcd_isSwept(m) != (swept != 0))
+        setSwept(m, swept != 0);
     mcd_modelMarkChanged(m);
 }
 
-DEFINE_GETTER(MeBool, McdModelIsSwept, m->isSwept, MEFALSE)
+DEFINE_GETTER(MeBool, McdModelIsSwept, mcd_isSwept(m), MEFALSE)
 
-DEFINE_GETTER(MeReal, McdModelGetFastMargin, mcd_fastMargin(m), 0)
+DEFINE_GETTER(MeReal, McdModelGetFastMargin, m->sweep &MCD_FAST ? m->fastMargin : 0, 0)
 
 void MEAPI McdModelSetSensor(McdModelID cm, MeBool sensor) {
     McdModelRecord *m = mcd_modelCheck(cm, "McdModelSetSensor");

@@ -40,6 +40,13 @@ typedef struct McdModelInputs {
  * inputs. It is a bit of the stamp because the pair loop reads that cache line anyway. */
 #define MCD_HAS_SURFACE ((MeU64)1 << 63)
 
+/* Whether a model's impacts are predicted, by its motion in lookAhead; flags. */
+typedef enum McdSweep {
+    MCD_SWEPT = 1, /* the program has said so */
+    MCD_FAST = 2,  /* it is swept, and moves by more than its thickness: in all of its pairs */
+    MCD_QUICK = 4, /* it is not swept, and moves by more than its radius: in pairs with swept models */
+} McdSweep;
+
 /* The pose of a model before its last change, and the change block of its space in which that was seen. */
 typedef struct McdPast {
     MeVector3 axis[3], place;
@@ -60,7 +67,7 @@ typedef struct McdModelRecord {
     MeU64 comparedIn;        /* the round (McdFramework.round) of the last comparison with `inputs` */
     /* hot, pairs: line 2; isPlaced, radius, reach are derived from `inputs` */
     bool isPlaced; /* mcd_isValidTransform of its transform */
-    bool isFast;   /* swept, and fast with respect to lookAhead */
+    MeU8 sweep;    /* McdSweep */
     bool isSensor;
     bool isGone;               /* it or its body will be destroyed, or removed from the space, when a stage ends */
     MeReal radius;             /* m, of the bounding sphere */
@@ -87,9 +94,8 @@ typedef struct McdModelRecord {
     MeU64 boxStamp;                   /* the stamp for which the box was made */
     MeReal boxDuration, boxLookAhead; /* s, motion duration and look-ahead for which the box was made */
     MeU64 lastStamp;                  /* the model's last stamp; initially one less than its first */
-    MeBool isSwept;
-    MeReal fastMargin;      /* m, of a fast model */
-    MeBool isMarkedChanged; /* a setter has changed something that is not in `inputs` (mcd_frozen.c) */
+    MeReal fastMargin;                /* m, of a fast or quick model; else 0 */
+    MeBool isMarkedChanged;           /* a setter has changed something that is not in `inputs` (mcd_frozen.c) */
     McdPast past;
     /* cold */
     MeU64 types; /* mcd_instanceTypes, for `inputs` */
@@ -121,9 +127,13 @@ void mcd_modelMarkChanged(McdModelRecord *m);
 static inline McdModelRecord *mcd_record(McdModelID cm) {
     return (McdModelRecord *)cm;
 }
-/* m, as McdModelGetFastMargin. */
-static inline MeReal mcd_fastMargin(const McdModelRecord *m) {
-    return m->isFast ? m->fastMargin : 0;
+static inline MeBool mcd_isSwept(const McdModelRecord *m) {
+    return (m->sweep & MCD_SWEPT) != 0;
+}
+/* Whether impacts of two models are predicted: one is fast, or one is swept and the other one quick. */
+static inline MeBool mcd_areFast(const McdModelRecord *a, const McdModelRecord *b) {
+    const int both = a->sweep | b->sweep;
+    return (both & MCD_FAST) || (both & (MCD_SWEPT | MCD_QUICK)) == (MCD_SWEPT | MCD_QUICK);
 }
 
 /* The velocity of the origin of an aggregate's part, computed into `memory`; the model's own velocity if the child

@@ -22,13 +22,17 @@ static double maxApproach(const McdModelRecord *a, const McdModelRecord *b, cons
 
 /* Whether the impacts of the pair are predicted, so that it gets contacts of the current overlap only. */
 static MeBool isTimed(const McdModelPair *p) {
-    return !p->isWithinLargeIsland && (mcd_record(p->model1)->isFast || mcd_record(p->model2)->isFast);
+    return !p->isWithinLargeIsland && mcd_areFast(mcd_record(p->model1), mcd_record(p->model2));
+}
+
+MeReal MEAPI McdModelPairGetFastMargin(const McdModelPair *p) {
+    return MeMAX(mcd_record(p->model1)->fastMargin, mcd_record(p->model2)->fastMargin);
 }
 
 static double marginOf(const McdModelPair *p, const MeReal *velocity1, const MeReal *velocity2) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     if (isTimed(p))
-        return fmax((double)mcd_fastMargin(a), (double)mcd_fastMargin(b));
+        return (double)McdModelPairGetFastMargin(p);
     const double approach = maxApproach(a, b, velocity1, velocity2, p->mayTurnRound);
     MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(approach < 0));
     return (double)a->tolerance + (double)b->tolerance + approach;

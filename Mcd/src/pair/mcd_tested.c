@@ -80,7 +80,7 @@ static MeBool readInputs(const McdModelRecord *m, McdModelInputs *inputs) {
     copyUnlessNull(inputs->velocity, m->linearVelocity);
     copyUnlessNull(inputs->spin, m->angularVelocity);
     inputs->shape.tolerance = m->tolerance;
-    inputs->shape.isSwept = m->isSwept;
+    inputs->shape.isSwept = mcd_isSwept(m);
     return METRUE;
 }
 
@@ -188,7 +188,7 @@ static MeBool isStillSeparated(const McdModelPair *p, const McdStand *now) {
     /* about four roundings each of positions, which are sums of three products, and of axes times the reach */
     const MeReal rounding =
         8 * ME_EPSILON * (sumOfCoordinates(p->stand.place) + sumOfCoordinates(now->place) + m1->reach);
-    return p->stand.apart > 0 && !m1->isFast && !m2->isFast &&
+    return p->stand.apart > 0 && !mcd_areFast(m1, m2) &&
            relativeDisplacement(&p->stand, now, m1->reach) + (MeReal)mcd_pairMarginInRound(p) + rounding <
                p->stand.apart;
 }
@@ -298,8 +298,7 @@ MeU32 MEAPI McdModelPairGetTraits(const McdModelPair *p, MeU32 material[2]) {
     if (!a || !b)
         return 0;
     return (isFrozen(a) && isFrozen(b) ? McdPairIsAsleep : 0) | (a->isSensor || b->isSensor ? McdPairHasSensor : 0) |
-           (mcd_fastMargin(a) > 0 || mcd_fastMargin(b) > 0 ? McdPairIsFast : 0) |
-           (a->isGone || b->isGone ? McdPairIsGone : 0);
+           (mcd_areFast(a, b) ? McdPairIsFast : 0) | (a->isGone || b->isGone ? McdPairIsGone : 0);
 }
 
 /* Whether the model is one convex shape or a plane: the kinds with a size that are not surfaces. */
@@ -323,8 +322,8 @@ MeBool MEAPI McdModelPairIsPlain(const McdModelPair *p) {
     if (isConvexOrPlane(a) && isConvexOrPlane(b))
         return mcd_interactionIsBuiltIn(p);
     MeU64 types[2] = {0, 0};
-    return !(mcd_fastMargin(a) > 0) && !(mcd_fastMargin(b) > 0) && typesOfModel(a, &types[0]) &&
-           typesOfModel(b, &types[1]) && mcd_typesInteractAsBuiltIn(a->frame, types[0], types[1]);
+    return !mcd_areFast(a, b) && typesOfModel(a, &types[0]) && typesOfModel(b, &types[1]) &&
+           mcd_typesInteractAsBuiltIn(a->frame, types[0], types[1]);
 }
 
 void MEAPI McdModelPairStoreTest(McdModelPair *p) {

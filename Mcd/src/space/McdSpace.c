@@ -527,22 +527,38 @@ static void callBoxCallback(const McdSpace *s, McdModelRecord *m, MeReal duratio
     m->isBeingUpdated = false;
 }
 
+static MeReal speedOf(const MeReal *velocity) {
+    return velocity ? MeVector3Magnitude(velocity) : 0;
+}
+
+/* m: an upper bound of the displacement of the model's points in the look-ahead time. */
+static MeReal displacementOf(const McdSpace *s, const McdModelRecord *m, MeReal reach) {
+    return s->lookAhead * (speedOf(m->linearVelocity) + speedOf(m->angularVelocity) * reach);
+}
+
+/* Whether the model's box encloses its path: it is swept, or may meet one that is, and moves farther than a box with
+ * its travel reaches. */
+static MeBool isBoxOfPath(const McdSpace *s, const McdModelRecord *m) {
+    MeVector3 centre;
+    MeReal radius;
+    if (mcd_isSwept(m) || s->frame->sweptCount == 0 || (!m->linearVelocity && !m->angularVelocity))
+        return mcd_isSwept(m);
+    McdGeometryGetBSphere(m->instance.geometry, centre, &radius);
+    return displacementOf(s, m, MeVector3Magnitude(centre) + radius) > radius;
+}
+
 /* Updates the model's box; false if the model has no valid transform. */
 static MeBool updateBox(const McdSpace *s, McdModelRecord *m, MeReal duration) {
     if (s->update && !m->isBeingUpdated) {
         callBoxCallback(s, m, duration);
         return mcd_modelIsPlaced(m);
     }
-    return m->isSwept && duration != 0 ? mcd_modelUpdatePath(m, duration) : mcd_modelUpdate(m);
+    return duration != 0 && isBoxOfPath(s, m) ? mcd_modelUpdatePath(m, duration) : mcd_modelUpdate(m);
 }
 
 static void clearLookAhead(McdModelRecord *m) {
-    m->lookAhead = m->travel = m->turnTravel = 0;
-    m->isFast = MEFALSE;
-}
-
-static MeReal speedOf(const MeReal *velocity) {
-    return velocity ? MeVector3Magnitude(velocity) : 0;
+    m->lookAhead = m->travel = m->turnTravel = m->fastMargin = 0;
+    m->sweep &= MCD_SWEPT;
 }
 
 /* m: half of the model's smallest extent along its own axes, at most `max`. */
@@ -560,13 +576,18 @@ static MeReal thicknessOf(McdModelRecord *m, MeReal max) {
     return MeMAX(min, 0);
 }
 
-/* Sets the margin of a swept model. If it moves by more than its thickness it is fast: its time of impact is
- * computed (McdSafeTime), and it gets nearly no speculative contacts, which would be at its current position instead
- * of that of the impact. */
-static void setSweptMargin(McdModelRecord *m, MeReal reach, MeReal displacement, MeReal turn) {
+/* Sets the margin of a model that is swept, or may meet one that is. If that one moves by more than its thickness it is
+ * fast, this one by more than its radius, quick: its time of impact is computed (McdSafeTime), and it gets nearly no
+ * speculative contacts, which would be at its current position instead of that of the impact. */
+static void setFastMargin(McdModelRecord *m, MeReal radius, MeReal reach, MeReal displacement) {
+    if (!mcd_isSwept(m) && !(displacement > radius))
+        return;
     const MeReal thickness = thicknessOf(m, reach);
-    m->isFast = displacement + turn > thickness;
-    if (m->isFast)
+    if (!mcd_isSwept(m))
+        m->sweep |= MCD_QUICK;
+    else if (displacement > thickness)
+        m->sweep |= MCD_FAST;
+    if (m->sweep & (MCD_FAST | MCD_QUICK))
         m->fastMargin = MeMAX((MeReal)0.02 * thickness, (MeReal)(3 * MCD_TOUCH) * reach);
 }
 
@@ -588,8 +609,8 @@ static void setTravel(const McdSpace *s, McdModelRecord *m, MeBool isCompared) {
     m->lookAhead = s->lookAhead;
     m->turnTravel = MeMIN(turn, radius);
     m->travel = MeMIN(displacement + turn, radius);
-    if (m->isSwept)
-        setSweptMargin(m, reach, displacement, turn);
+    if (s->frame->sweptCount > 0)
+        setFastMargin(m, radius, reach, displacement + turn);
     if (!MeRealIsValid(m->travel) || !MeRealIsValid(m->turnTravel))
         clearLookAhead(m);
     MEASSERT(m->travel >= 0 && m->turnTravel >= 0 && m->turnTravel <= m->travel);
@@ -657,7 +678,7 @@ static void shiftInputs(McdModelRecord *m, const double by[3], MeBool wasCurrent
         m->instance.max[i] = (MeReal)((double)m->instance.max[i] + by[i]);
     }
     mcd_fromReal(m->shape.place, m->inputs.place);
-    if (m->isSwept)
+    if (m->frame->sweptCount > 0)
         m->boxDuration = -1; /* its box along its motion is made in the next update */
 }
 

@@ -166,8 +166,7 @@ static MeReal closingSpeed(const McdModelPair *p) {
 /* s: how long the motions of bodies in contact are known. The contacts change them by about the closing speed at once,
  * also where the shapes pass each other and do not get deep. */
 static MeReal knownTime(const McdModelPair *p, MeReal max) {
-    const MeReal margin = MeMAX(McdModelGetFastMargin(p->model1), McdModelGetFastMargin(p->model2));
-    const MeReal closing = closingSpeed(p);
+    const MeReal margin = McdModelPairGetFastMargin(p), closing = closingSpeed(p);
     return closing * max > margin ? margin / closing : max;
 }
 
