@@ -407,3 +407,58 @@ TEST(an_edge_is_tested_again_when_its_neighbour_goes) {
     MstUniverseStep(u, 1. / 60);
     ck_assert_int_eq(contactsOf(m), 2);
 }
+
+/* ---- edges that are nearly parallel to a body -------------------------------------------------------------------- */
+
+enum { WHOLE, TWO_BOXES, TWO_PARTS };
+
+/* One tile, or two that meet at x = 0. */
+static void layTiles(int floor) {
+    const McdGeometryID tile = McdBoxCreate(u->frame, floor == WHOLE ? 20 : 10, 10, 2);
+    const McdAggregateID both = McdAggregateCreate(u->frame, 2);
+    const MeVector3 origin = {0, 0, 0};
+    for (int i = 0; i < 2; i++) {
+        MeMatrix4TMMakeIdentity(tiles[i]);
+        MeVector3Set(tiles[i][3], floor == WHOLE ? 0 : i ? 5 : -5, 0, -1);
+        McdAggregateAddElement(both, tile, tiles[i]);
+        if (floor == TWO_BOXES || (floor == WHOLE && i == 0))
+            MstFixedModelCreate(u, tile, tiles[i]);
+    }
+    if (floor == TWO_PARTS)
+        MstFixedModelCreateAt(u, both, origin, NULL);
+}
+
+/* m/s: the vertical velocity after a step of a capsule or cylinder that rolls toward the edge at x = 0. It lies along
+ * y but for small angles, and touches the floor. */
+static double riseOf(int kind, int floor, double speed, double way, double yaw, double tilt) {
+    double height;
+    MeVector3 v;
+    universe_begin(&MstUniverseGrowingSizes);
+    MdtWorldSetGravity(u->world, 0, 0, -10);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), .5, 0);
+    layTiles(floor);
+    const McdModelID m = MstModelAndBodyCreate(u, makeShape(kind, 1, &height), 1000);
+    const double half = (double)ME_PI / 4 + tilt / 2;
+    McdModelDynamicsSetPosition(m, -way, 0, height);
+    McdModelDynamicsSetQuaternion(m, cos(half) * cos(yaw / 2), sin(half) * cos(yaw / 2), sin(half) * sin(yaw / 2),
+                                  cos(half) * sin(yaw / 2));
+    McdModelDynamicsSetLinearVelocity(m, speed, 0, 0);
+    McdModelDynamicsSetAngularVelocity(m, 0, speed / height, 0);
+    MstUniverseStep(u, 1. / 60);
+    McdModelDynamicsGetLinearVelocity(m, v);
+    return v[2];
+}
+
+/* The contact that is nearest to the edge is at it, the other one of the same normal beside it. */
+TEST(an_edge_that_is_nearly_parallel_to_a_body_is_not_felt) {
+    static const double angles[] = {-3e-3, -3e-4, -1e-4, 0, 1e-4, 1e-3};
+    enum { ANGLES = sizeof angles / sizeof *angles };
+    for (int i = 0; i < ANGLES * ANGLES; i++)
+        for (double way = .01; way < .2; way *= 2.5)
+            for (int kind = CYLINDER; kind <= CAPSULE; kind += CAPSULE - CYLINDER) {
+                const double yaw = angles[i % ANGLES], tilt = angles[i / ANGLES], speed = 5 + 15 * (i % 3);
+                const double rise = riseOf(kind, WHOLE, speed, way, yaw, tilt);
+                for (int floor = TWO_BOXES; floor <= TWO_PARTS; floor++)
+                    assert_near(riseOf(kind, floor, speed, way, yaw, tilt), rise, TOL(.08, .08));
+            }
+}

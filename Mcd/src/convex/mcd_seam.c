@@ -6,7 +6,8 @@
  *   f . m >= cos 60 degrees: a fold, up or down;
  *   the point p of f's plane at the contact is at most a skin above m's plane: a step down of any height;
  *   the body's middle is above m's plane, so that the body comes from m's side;
- *   p is at the edge of the face in the direction of the contact's normal;
+ *   p, of the nearest contact along a normal, is at the edge of the face in the direction of the normal; the others, of
+ *   an edge or a round side of the body that is not quite parallel to the edge, may be beside it;
  *   the point of m's plane at a distance of a skin, or of a gap, from p in that direction is on the other piece.
  *
  * Then the other piece rises above the plane through the contact orthogonal to the contact's normal. The body is on the
@@ -138,6 +139,16 @@ static MeBool isMiddleAbove(const McdShape *body, const McdShape *piece, const M
            2 * piece->rounding;
 }
 
+/* Whether the contact's normal is that of a flat face of the body, which contacts above the piece's face have, too. */
+static MeBool isOfBodyFace(const McdSeam *s) {
+    McdFace face;
+    double down[3], across[3];
+    mcd_scale(down, s->normal, -1);
+    mcd_faceToward(s->body, down, &face);
+    mcd_cross(across, face.normal, down);
+    return face.count > 2 && mcd_dot(across, across) <= mcd_minSine * mcd_minSine;
+}
+
 /* Whether the face continues a face of this other piece, so that the edge between both is internal. */
 static MeBool isContinued(const McdShape *piece, const double *side, const void *context) {
     const SeamFace *f = context;
@@ -154,8 +165,8 @@ static MeBool isContinued(const McdShape *piece, const double *side, const void 
     if (sine <= mcd_minSine)
         return MEFALSE;
     mcd_mad(at, f->point, s->skin / sine, inward);
-    if (mcd_pointDistance(&s->shape, at) <= s->skin / 2) /* the contact is not at the edge */
-        return MEFALSE;
+    if (mcd_pointDistance(&s->shape, at) <= s->skin / 2 && !(s->isBeside && !isOfBodyFace(s)))
+        return MEFALSE; /* the contact is not at the edge */
     mcd_mad(foot, f->point, -height, other.normal);
     for (int i = 0; i < 2; i++) {
         mcd_mad(at, foot, (i ? s->gap : s->skin) / sine, inward);

@@ -24,6 +24,7 @@ struct McdSeam {
     double normal[3];     /* the contact's, outward */
     double point[3];      /* the contact's, on the piece */
     double separation;    /* m, from the point to the body along the normal */
+    MeBool isBeside;      /* it is not the nearest contact of its manifold, which has this one's normal */
     /* The supplier of the other pieces (mcd_piecesFind; for triangles those of the query): visits those within reach of
      * a point until a visit returns true. Returns the supplier's own handle of that piece; null: there is none. */
     void *(*find)(const McdSeam *s, const double point[3], double reach, McdSeamVisit visit, const void *context);

@@ -73,12 +73,14 @@ static McdGeometryInstance *childNear(const Surface *s, const double point[3], d
 }
 
 /* The part beyond an internal edge of this part (mcd_seam.c); null: the contact is not at an internal edge. */
-static McdGeometryInstance *childBeyondEdge(const Surface *s, const double point[3], double separation, double *lean) {
+static McdGeometryInstance *childBeyondEdge(const Surface *s, const double point[3], double separation,
+                                            MeBool isNearest, double *lean) {
     McdSeam seam = {
         .shape = s->shape, .body = &s->body, .separation = separation, .find = mcd_piecesFind, .pieces = &s->others};
     double face[3];
     seam.skin = s->skin;
     seam.gap = mcd_seamGap(&s->body);
+    seam.isBeside = !isNearest;
     mcd_copy(seam.normal, s->normal);
     mcd_copy(seam.point, point);
     McdGeometryInstance *child = mcd_shapeIsRigid(&s->shape) ? mcd_seamPieceBeyond(&seam, face) : 0;
@@ -166,7 +168,7 @@ static MeBool isCovered(Classified *c, const double position[3], double separati
         mcd_mad(point, point, -separation / 2, s->normal);
         McdGeometryInstance *cover = coverOf(s, point, &lean);
         if (!cover)
-            cover = childBeyondEdge(s, point, separation, &lean);
+            cover = childBeyondEdge(s, point, separation, isDeepest, &lean);
         if (!cover)
             continue;
         isCoveredAnywhere = METRUE;

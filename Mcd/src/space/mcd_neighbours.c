@@ -35,7 +35,8 @@ static MeBool beginSeam(Surroundings *s, const McdContact *contact, McdSeam *sea
     return METRUE;
 }
 
-static void setSeamContact(const Surroundings *s, const McdContact *contact, McdSeam *seam) {
+static void setSeamContact(const Surroundings *s, const McdContact *contact, MeBool isBeside, McdSeam *seam) {
+    seam->isBeside = isBeside;
     mcd_sub(seam->point, contact->exactPosition, s->pieces.origin);
     mcd_mad(seam->point, seam->point, -contact->exactSeparation / 2, seam->normal);
     seam->separation = contact->exactSeparation;
@@ -44,17 +45,26 @@ static void setSeamContact(const Surroundings *s, const McdContact *contact, Mcd
 /* Whether all contacts of a manifold are near an edge. A manifold that is not is kept, whatever its neighbours are. */
 static MeBool areNearEdge(const Surroundings *s, const McdContact *contact, int count, McdSeam *seam) {
     for (int i = 0; i < count; i++) {
-        setSeamContact(s, &contact[i], seam);
+        setSeamContact(s, &contact[i], MEFALSE, seam);
         if (!mcd_seamIsNear(seam))
             return MEFALSE;
     }
     return METRUE;
 }
 
+static int nearestOf(const McdContact *contact, int count) {
+    int nearest = 0;
+    for (int i = 1; i < count; i++)
+        if (contact[i].exactSeparation < contact[nearest].exactSeparation)
+            nearest = i;
+    return nearest;
+}
+
 /* Whether all contacts of a manifold are at an internal edge. Writes the face's normal. */
 static MeBool areInternal(const Surroundings *s, const McdContact *contact, int count, McdSeam *seam, double face[3]) {
+    const int nearest = nearestOf(contact, count);
     for (int i = 0; i < count; i++) {
-        setSeamContact(s, &contact[i], seam);
+        setSeamContact(s, &contact[i], i != nearest, seam);
         if (!mcd_seamPieceBeyond(seam, face))
             return MEFALSE;
     }
