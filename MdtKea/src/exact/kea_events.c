@@ -20,12 +20,12 @@
 #include <string.h>
 
 /* A contact that overlaps is open if it leaves by more than γ of its overlap in the step; else the overlap of one that
- * rebounds in each step would stay. */
+ * rebounds in each step would stay. Without loss, e = 1, it may stay: displacement against loads is a gain of energy. */
 MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed) {
     const MdtKeaRow *row = &s->rows[i];
     const double overlap = -row->error, least = s->parameters.gamma * overlap / s->parameters.stepsize;
-    const MeBool overlaps = overlap > kea_touchingGap * kea_smallerExtent(s, row->body);
-    return !kea_isTouching(s, row) || kea_startRate(s, i) > keaMax(kea_separatingSpeed * speed, overlaps ? least : 0);
+    const MeBool sheds = row->restitution < 1 && overlap > kea_touchingGap * kea_smallerExtent(s, row->body);
+    return !kea_isTouching(s, row) || kea_startRate(s, i) > keaMax(kea_separatingSpeed * speed, sheds ? least : 0);
 }
 
 /* ---- which systems are timed ---- */
