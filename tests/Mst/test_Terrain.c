@@ -181,8 +181,8 @@ static double depthOfThrown(McdGeometryID (*makeGround)(void), const double side
     return -low / side[2];
 }
 
-/* Had only the contacts of their lower edge, and fell through: 11 of 20 planks. The smallest, which gravity moves by half
- * its thickness in a step, overlaps by .06 of it, on a plane as well. */
+/* Had only the contacts of their lower edge, and fell through: 11 of 20 planks. The smallest, which gravity moves by
+ * half its thickness in a step, overlaps by .06 of it, on a plane as well. */
 TEST(thin_boxes_do_not_sink_into_flat_triangles) {
     static const double side[][3] = {{1, .2, .1}, {.8, .4, .2}, {.05, .05, .005}}, restitution[] = {0, .3, .6};
     seed = 777;

@@ -20,7 +20,7 @@
 #include <string.h>
 
 /* A contact that overlaps is open if it leaves by more than γ of its overlap in the step; else the overlap of one that
- * rebounds in each step would stay. Without loss, e = 1, it may stay: displacement against loads is a gain of energy. */
+ * rebounds in each step would stay. Without loss, e = 1, it stays: displacement against loads is a gain of energy. */
 MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed) {
     const MdtKeaRow *row = &s->rows[i];
     const double overlap = -row->error, least = s->parameters.gamma * overlap / s->parameters.stepsize;
