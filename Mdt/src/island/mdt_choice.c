@@ -10,9 +10,8 @@
  *        times as much
  *     5  the world's accounts of exact work pay it                                exact    Afforded
  *     6  otherwise                                                                fast     Dear
- *     7  the exact solver declines the step, as its share runs out before the     fast     TakenOver
- *        answer meets the accuracy, or leaves joints open: for the rest of the
- *        step
+ *     7  the exact solver declines the step, as it costs more than expected, or   fast     TakenOver
+ *        leaves joints open: for the rest of the step
  *     8  the fast answer is worthless (mdt_lostExcess): the step is solved again  exact    Afforded
  *
  * The cost is predicted from the last steps (MdtIslandRecord). There are two accounts; each step pays into both:
@@ -416,7 +415,7 @@ void mdt_choiceSwitchToExact(MdtIsland *p) {
         p->record->loan += p->record->reserve;
         p->record->reserve = 0;
         p->declinedWork = p->exactWork;
-        p->hasDeclined = p->hasRunOut = MEFALSE;
+        p->hasDeclined = MEFALSE;
     }
     p->why = p->numContacts == 0 ? MdtReportWhyUnfit : reasonForExact(p);
     mdt_islandSetFast(p, MEFALSE);
@@ -435,17 +434,17 @@ static void recordFastStep(const MdtIsland *p, MdtIslandRecord *r) {
     r->fastWork = (float)(p->fastWork / p->numBodies / (p->numContacts > 0 ? mdt_exactTime : 1));
 }
 
-/* The cost of an exact step for predictions. A step whose share ran out would have cost more. A first step without
+/* The cost of an exact step for predictions. A declined step would have cost more than it did. A first step without
  * warm start needs more factorizations than those that follow: one of them is counted. */
 static double exactWorkOf(const MdtIsland *p, const MdtIslandRecord *r) {
     const double work = p->exactWork - p->declinedWork;
-    if (p->hasRunOut)
+    if (p->hasDeclined)
         return fmax(2 * work, p->minExactWork);
     return r->steps == 0 ? work / MeMAX(1, p->kea.report.factorizations) : work;
 }
 
 static void recordExactStep(const MdtIsland *p, MdtIslandRecord *r) {
-    const double share = p->hasRunOut || r->steps < 2 ? 1 : mdt_newShare;
+    const double share = p->hasDeclined || r->steps < 2 ? 1 : mdt_newShare;
     r->exactWork += (float)(share * (exactWorkOf(p, r) / p->numBodies - (double)r->exactWork));
     MEASSERT(r->exactWork >= 0);
 }

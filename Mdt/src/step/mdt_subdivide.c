@@ -47,7 +47,6 @@ void mdt_budgetDraw(MdtIsland *p) {
     MEASSERT(p->work >= 0 && p->work <= MDT_NO_BOUND);
     p->iterations -= p->iterations < cost->iterations ? p->iterations : cost->iterations;
     *(p->isFast ? &p->fastWork : &p->exactWork) += cost->work;
-    p->hasRunOut = p->hasRunOut || (cost->limited && p->kea.parameters.mayDecline);
     if (cost->declined) {
         p->hasDeclined = METRUE;
         p->minExactWork = cost->least;

@@ -320,6 +320,10 @@ static const double kea_minReboundSpeed = 0.5;
 static const double kea_minPlasticSpeed = 0.25;
 /* Fraction of the bodies' own speeds that takes the place of the load speed where there are no loads. */
 static const double kea_unloadedSpeed = 1e-6;
+/* Largest restitution with which overlaps of rebounding contacts are removed. Of 50 discs of .1 m that tumble at 30 Hz
+ * without friction 0 gain energy with .95, 1 with .99, 5 with .999; without removal discs with .8 stay 26 mm deep
+ * (Mst_Rims). */
+static const double kea_lossyRestitution = 0.95;
 /* Fraction of the speed of the fastest body: with a smaller residual the passes of an impact end. It is three digits
  * below kea_velocityTolerance, the slowest approach that takes part in a round, so that a reflected contact does not
  * approach again. */

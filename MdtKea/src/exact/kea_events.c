@@ -20,11 +20,13 @@
 #include <string.h>
 
 /* A contact that overlaps is open if it leaves by more than γ of its overlap in the step; else the overlap of one that
- * rebounds in each step would stay. Without loss, e = 1, it stays: displacement against loads is a gain of energy. */
+ * rebounds in each step would stay. Where rebounds lose next to nothing it stays: displacement against loads is a gain
+ * of energy. */
 MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed) {
     const MdtKeaRow *row = &s->rows[i];
     const double overlap = -row->error, least = s->parameters.gamma * overlap / s->parameters.stepsize;
-    const MeBool sheds = row->restitution < 1 && overlap > kea_touchingGap * kea_smallerExtent(s, row->body);
+    const MeBool sheds =
+        row->restitution <= kea_lossyRestitution && overlap > kea_touchingGap * kea_smallerExtent(s, row->body);
     return !kea_isTouching(s, row) || kea_startRate(s, i) > keaMax(kea_separatingSpeed * speed, sheds ? least : 0);
 }
 

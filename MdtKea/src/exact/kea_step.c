@@ -561,6 +561,6 @@ void kea_exactSolve(MdtKeaSystem *s) {
     if (s->parameters.timed && s->numRows > 0 && q->factor) /* null: there was no memory */
         kea_projectPositions(s);
     kea_reportWork(s);
+    s->report.declined = s->report.limited && s->parameters.mayDecline;
     s->report.excess = s->report.capped ? s->report.residual / residualTolerance(s) : 0;
-    s->report.declined = s->report.limited && s->parameters.mayDecline && (s->work->hasJoints || s->report.excess > 1);
 }
