@@ -1,5 +1,5 @@
 /** @file Mcd.h
- *  All headers of the collision library (User Guide ch. 4, "Collision").
+ *  All headers of the collision library.
  */
 #ifndef MCD_H
 #define MCD_H

@@ -1,6 +1,5 @@
 /** @file McdAggregate.h
- *  Aggregates: compound geometries (User Guide ch. 4, "Creating a Model with an Aggregate Geometry" and
- *  "Aggregate").
+ *  Aggregates: compound geometries.
  *
  *  An aggregate has elements: geometries, each with a transform relative to the aggregate. Elements may be
  *  aggregates themselves, and geometries may be shared between aggregates and models; an aggregate cannot contain

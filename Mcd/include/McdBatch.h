@@ -1,6 +1,5 @@
 /** @file McdBatch.h
- *  Tests of many pairs (User Guide ch. 4, "Testing for Collisions"): McdIntersectEach, with a context that stores
- *  the position in the container.
+ *  Tests of many pairs: McdIntersectEach, with a context that stores the position in the container.
  */
 #ifndef MCDBATCH_H
 #define MCDBATCH_H

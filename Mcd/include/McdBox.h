@@ -1,6 +1,5 @@
 /** @file McdBox.h
- *  Boxes (User Guide ch. 4, "Geometrical Types and Their Interactions"), centred at the origin, with edges along the
- *  axes. For a geometry that is not a box: a warning, and 0.
+ *  Boxes, centred at the origin, with edges along the axes. For a geometry that is not a box: a warning, and 0.
  */
 #ifndef MCDBOX_H
 #define MCDBOX_H

@@ -1,5 +1,5 @@
 /** @file McdCTypes.h
- *  The types of the collision library (User Guide ch. 4, "Collision").
+ *  The types of the collision library.
  *
  *  A framework registers geometry types and interactions between pairs of them. A geometry is a shape. A model is a
  *  geometry at a place: it has one instance or, for an aggregate, a tree of instances. A space finds the pairs of

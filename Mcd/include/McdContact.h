@@ -1,5 +1,5 @@
 /** @file McdContact.h
- *  Further properties of contacts, and contact reduction (User Guide ch. 4, "Testing for Collisions").
+ *  Further properties of contacts, and contact reduction.
  */
 #ifndef MCDCONTACT_H
 #define MCDCONTACT_H

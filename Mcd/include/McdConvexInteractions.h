@@ -1,6 +1,5 @@
 /** @file McdConvexInteractions.h
- *  Contacts between convex geometries, and between these and planes (User Guide ch. 4, "Geometrical Types and Their
- *  Interactions").
+ *  Contacts between convex geometries, and between these and planes.
  *
  *  Each pair of types has three functions:
  *  - McdXYRegisterInteraction registers the interaction of X and Y (and of Y and X) with a framework. Returns 1; 0,

@@ -1,5 +1,5 @@
 /** @file McdConvexMesh.h
- *  Convex meshes: convex hulls of points (User Guide ch. 4, "Making a Model with a Convex Mesh Geometry").
+ *  Convex meshes: convex hulls of points.
  *
  *  A fat mesh consists of all points within its fatness of the hull: its edges and corners are rounded. For a
  *  geometry that is not a convex mesh, and for polygons and vertices that do not exist: a warning, and 0. Mass

@@ -2,7 +2,7 @@
  *  A program's own convex shapes, given by their support function alone: ellipsoids, tapered capsules, lenses, any
  *  shape of which the point that lies farthest in a direction is easily found. Beyond Karma;
  *  McdFrameworkRegisterGeometryType is the guide's interface for own types of any kind, which need a function for each
- *  pair (User Guide ch. 4).
+ *  pair.
  *
  *  Such a shape gets all that a built-in one has: contacts with all geometries, distances, overlaps, casts, times of
  *  impact, rays, a box, mass properties, drawing. Depths and normals are as exact as those of built-in shapes. Its

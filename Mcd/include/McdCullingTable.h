@@ -1,5 +1,5 @@
 /** @file McdCullingTable.h
- *  Collision filters by kinds of models (User Guide ch. 4, "Disabling and Enabling Pairs of Models").
+ *  Collision filters by kinds of models.
  *
  *  A culling table is a symmetric table of flags, initially 0. See McdSpaceSetModelCullingParameters; a table must
  *  not be changed while models use it.

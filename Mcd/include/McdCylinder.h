@@ -1,6 +1,6 @@
 /** @file McdCylinder.h
- *  Cylinders (User Guide ch. 4, "Geometrical Types and Their Interactions") about the z axis, centred at the origin.
- *  For a geometry that is not a cylinder: a warning, and 0; sizes that are not > 0 get a warning and change nothing.
+ *  Cylinders about the z axis, centred at the origin. For a geometry that is not a cylinder: a warning, and 0; sizes
+ *  that are not > 0 get a warning and change nothing.
  */
 #ifndef MCDCYLINDER_H
 #define MCDCYLINDER_H

@@ -1,6 +1,5 @@
 /** @file McdFrame.h
- *  The collision framework: registry of geometry types and of interactions between them (User Guide ch. 4, "Register
- *  Types of Geometries to be Used").
+ *  The collision framework: registry of geometry types and of interactions between them.
  *
  *  Only what is registered is linked: each Mcd*RegisterType and Mcd*RegisterInteraction function adds one type or
  *  pair, those of McdPrimitives.h several. A pair of types without an interaction never touches; McdHello warns once

@@ -1,5 +1,5 @@
 /** @file McdGeometry.h
- *  Functions of all geometries (User Guide ch. 4, "Explanation of Model, Geometry, and Body").
+ *  Functions of all geometries.
  *
  *  A geometry is a shape without a place. Models and aggregates share geometries and count as references; a geometry
  *  is destroyed after them. A change of its size takes effect at the next update of its models.

@@ -1,7 +1,6 @@
 /** @file McdGeometryDeclare.h
- *  The functions that every built-in geometry type has (User Guide ch. 4, "Geometrical Types and Their
- *  Interactions").
- *  Each type's header declares them by these macros; programs usually call only the first.
+ *  The functions that every built-in geometry type has. Each type's header declares them by these macros; programs
+ *  usually call only the first.
  *
  *  @verbatim
  *  Mcd...RegisterType          Registers the type with a framework, before its first geometry is created; repeated

@@ -1,6 +1,5 @@
 /** @file McdGeometryInstance.h
- *  Instances: geometries at places, of which models are made (User Guide ch. 4, "Creating a Model with an Aggregate
- *  Geometry").
+ *  Instances: geometries at places, of which models are made.
  *
  *  The instance of an aggregate has one child per element. A child's transform is the element's, then the parent's;
  *  it is computed when the model is updated.

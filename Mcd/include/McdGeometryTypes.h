@@ -1,6 +1,5 @@
 /** @file McdGeometryTypes.h
- *  The built-in geometry types, and the triangles that programs supply (User Guide ch. 4, "Geometrical Types and
- *  Their Interactions").
+ *  The built-in geometry types, and the triangles that programs supply.
  */
 #ifndef MCDGEOMETRYTYPES_H
 #define MCDGEOMETRYTYPES_H

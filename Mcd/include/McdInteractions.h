@@ -1,5 +1,5 @@
 /** @file McdInteractions.h
- *  Queries of a pair of models (User Guide ch. 4, "Testing for Collisions").
+ *  Queries of a pair of models.
  *
  *  McdHello must be called before the queries of a pair and McdGoodbye after them. Models in a space are up to date
  *  after the space's update, others after McdModelUpdate.

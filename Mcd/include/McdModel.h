@@ -1,5 +1,5 @@
 /** @file McdModel.h
- *  Models: geometries at places, which collide (User Guide ch. 4, "Explanation of Model, Geometry, and Body").
+ *  Models: geometries at places, which collide.
  *
  *  Pointers given to a model (transforms, velocities) are kept, not copied. A model in a space is updated by the
  *  space, other models by McdModelUpdate. The framework owns models; McdModelDestroy destroys one.

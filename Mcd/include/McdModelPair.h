@@ -1,5 +1,5 @@
 /** @file McdModelPair.h
- *  Pairs of models (User Guide ch. 4, "Testing Collision Directly").
+ *  Pairs of models.
  */
 #ifndef MCDMODELPAIR_H
 #define MCDMODELPAIR_H

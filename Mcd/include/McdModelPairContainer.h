@@ -1,5 +1,5 @@
 /** @file McdModelPairContainer.h
- *  Containers for the pairs that a space returns (User Guide ch. 4, "Testing for Collisions").
+ *  Containers for the pairs that a space returns.
  *
  *  A container is one array: goodbye pairs from its start up, hello pairs from its middle down, staying pairs from
  *  its middle up. McdSpaceGetPairs puts the middle where everything fits, if possible; in containers filled by hand

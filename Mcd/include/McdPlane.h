@@ -1,7 +1,7 @@
 /** @file McdPlane.h
- *  Planes (User Guide ch. 4, "Geometrical Types and Their Interactions"): z = 0 of the geometry's frame; the inside
- *  is below. A plane's box is unbounded (as large as numbers allow), except on the side to which an axis-aligned
- *  normal points. A plane has no mass properties and is drawn as a square about its origin.
+ *  Planes: z = 0 of the geometry's frame; the inside is below. A plane's box is unbounded (as large as numbers allow),
+ *  except on the side to which an axis-aligned normal points. A plane has no mass properties and is drawn as a square
+ *  about its origin.
  */
 #ifndef MCDPLANE_H
 #define MCDPLANE_H

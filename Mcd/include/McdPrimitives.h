@@ -1,7 +1,6 @@
 /** @file McdPrimitives.h
- *  Registers the simple geometries: sphere, box, plane, cylinder, sphyl, and the triangle list for terrain (User
- *  Guide ch. 4, "Register Types of Geometries to be Used"). If the argument is not a framework: a warning, and no
- *  effect.
+ *  Registers the simple geometries: sphere, box, plane, cylinder, sphyl, and the triangle list for terrain. If the
+ *  argument is not a framework: a warning, and no effect.
  */
 #ifndef MCDPRIMITIVES_H
 #define MCDPRIMITIVES_H

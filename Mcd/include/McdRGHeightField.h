@@ -1,6 +1,6 @@
 /** @file McdRGHeightField.h
- *  Height fields: terrain over a regular grid, without a triangle list's callback (User Guide ch. 4, "Constructing
- *  an Immovable Model, such as a Terrain"). Karma had the type; its creation is designed here.
+ *  Height fields: terrain over a regular grid, without a triangle list's callback. Karma had the type; its creation is
+ *  designed here.
  *
  *  The grid lies along x and y of the field's frame, z is up: point (i, j), 0 <= i < xCount, 0 <= j < yCount, is at
  *  (x0 + i xStep, y0 + j yStep, heights[j xCount + i]). The cell between (i, j) and (i+1, j+1) is divided into two

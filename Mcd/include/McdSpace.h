@@ -1,5 +1,5 @@
 /** @file McdSpace.h
- *  Spaces: the broad phase, which finds models that are near each other (User Guide ch. 4, "Collision Spaces").
+ *  Spaces: the broad phase, which finds models that are near each other.
  *
  *  Change blocks. A space is changed between McdSpaceBeginChanges and McdSpaceEndChanges, and queried outside; each
  *  block is one step in the phases of pairs. Each function says where it is legal; elsewhere it warns, changes

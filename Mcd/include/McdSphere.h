@@ -1,5 +1,5 @@
 /** @file McdSphere.h
- *  Spheres (User Guide ch. 4, "Geometrical Types and Their Interactions"), centred at the origin.
+ *  Spheres, centred at the origin.
  */
 #ifndef MCDSPHERE_H
 #define MCDSPHERE_H

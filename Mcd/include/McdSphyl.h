@@ -1,7 +1,6 @@
 /** @file McdSphyl.h
- *  Sphyls, or capsules (User Guide ch. 4, "Geometrical Types and Their Interactions"): a cylinder about the z axis
- *  with a half sphere at each end, centred at the origin. For a geometry that is not a sphyl: a warning, and 0;
- *  sizes that are not > 0 get a warning and change nothing.
+ *  Sphyls, or capsules: a cylinder about the z axis with a half sphere at each end, centred at the origin. For a
+ *  geometry that is not a sphyl: a warning, and 0; sizes that are not > 0 get a warning and change nothing.
  */
 #ifndef MCDSPHYL_H
 #define MCDSPHYL_H

@@ -1,5 +1,5 @@
 /** @file McdTriangleList.h
- *  Triangle lists: terrain and other fixed surfaces of triangles (User Guide ch. 4, "Triangle List").
+ *  Triangle lists: terrain and other fixed surfaces of triangles.
  *
  *  The program keeps the triangles: when a model comes near the list's box, a callback returns those close to it,
  *  and each of them gives contacts by its flags (see McdTriangleFlags):

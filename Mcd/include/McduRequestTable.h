@@ -1,6 +1,5 @@
 /** @file McduRequestTable.h
- *  A table of requests, by the request ids of both models (McdModelSetRequestID): one for the whole program (User
- *  Guide ch. 4, "Testing for Collisions").
+ *  A table of requests, by the request ids of both models (McdModelSetRequestID): one for the whole program.
  *
  *  The table belongs to the process, not to a framework: frameworks in several threads share it. Create and fill it
  *  before they run and free it after them; meanwhile any thread may read it. A framework that needs its own requests

@@ -1,5 +1,5 @@
 /** @file MdtMainLoop.h
- *  Callbacks by which a program hooks into MdtWorldStep (User Guide ch. 2, "MdtWorldStep").
+ *  Callbacks by which a program hooks into MdtWorldStep.
  *
  *  With MdtWorldSetPartitionCB a program gets every partition before it is simulated, and decides, in place of the
  *  world, whether it is put to sleep; MdtAutoDisableLastPartition is the world's own decision.

@@ -1,5 +1,5 @@
 /** @file MdtSkeletal.h
- *  The skeletal joint: a ball-and-socket joint whose swing and twist are limited (User Guide app. D, "MdtSkeletal").
+ *  The skeletal joint: a ball-and-socket joint whose swing and twist are limited.
  *
  *  The first body's primary axis swings inside an elliptical cone around the second body's primary axis: up to the
  *  primary angle towards the second axis, up to the secondary angle towards the third. The twist is the remaining

@@ -1,5 +1,5 @@
 /** @file MdtSpring6.h
- *  Six springs between two frames: a joint of configurable compliance (User Guide ch. 3).
+ *  Six springs between two frames: a joint of configurable compliance.
  *
  *  Each body has an attachment frame. Linear springs act on the offset of the first frame along the axes of the
  *  second, angular ones on the rotation between the frames. Each has a stiffness and a damping, both 0 by default:

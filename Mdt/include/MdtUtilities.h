@@ -1,5 +1,5 @@
 /** @file MdtUtilities.h
- *  Inertia tensors, conversion between frames, and a position controller for limits (User Guide ch. 3 and 8).
+ *  Inertia tensors, conversion between frames, and a position controller for limits.
  */
 #ifndef MDTUTILITIES_H
 #define MDTUTILITIES_H

@@ -1,5 +1,5 @@
 /** @file MdtBcl.h
- *  The basic constraint library: joints, limits and contacts as rows for Kea (User Guide ch. 2, "BCL").
+ *  The basic constraint library: joints, limits and contacts as rows for Kea.
  *
  *  Each constraint type has a file, with its equation, and an entry in a table of functions (MdtBclType). Bcl reads
  *  poses and velocities, does not know of bodies or worlds, and allocates no memory. In each step Mdt calls for every

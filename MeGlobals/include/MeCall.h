@@ -1,5 +1,5 @@
 /** @file MeCall.h
- *  Calling conventions and export of Karma's functions (User Guide ch. 3, "Calling Conventions").
+ *  Calling conventions and export of Karma's functions.
  *
  *  MEAPI stands between the return type and the name of every API function and callback. On all platforms that Karma
  *  supports today, the compiler's default convention is used: the macros expand to nothing, and exist for source

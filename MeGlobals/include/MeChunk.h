@@ -1,5 +1,5 @@
 /** @file MeChunk.h
- *  A growing scratch buffer (User Guide app. C, "Memory Usage In Kea").
+ *  A growing scratch buffer.
  *
  *  A chunk lends one block of memory at a time. Its capacity starts at 1024 bytes and doubles until the requested block
  *  fits; contents are lost when it grows or is lent again. If all frames need the same memory, only the first one

@@ -1,5 +1,5 @@
 /** @file MeCommandLine.h
- *  Command line options of a program (User Guide app. B, "Initializing the Renderer").
+ *  Command line options of a program.
  *
  *  An option is a word such as -gl, alone or with a value: "-frames 60" or "-frames=60". `arg` is the whole name of an
  *  option, with its dash; it is found in both forms. If an option is given twice, the first one is used.

@@ -1,6 +1,6 @@
 /** @file MeDict.h
  *  Dictionaries: nodes ordered by keys; search, insertion and removal take logarithmic time. MdtUpdatePartitions uses
- *  one (User Guide ch. 2).
+ *  one.
  *
  *  A node has a data pointer of the program and, while it is in a dictionary, a key, which must not change meanwhile.
  *  The program provides the memory of nodes (MeDictNodeInit) or has them allocated one by one (MeDictNodeCreate); keys

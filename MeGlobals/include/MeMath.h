@@ -1,5 +1,5 @@
 /** @file MeMath.h
- *  Vectors, matrices, quaternions and rigid transforms (User Guide ch. 3, "Coordinate Systems and Reference Frames").
+ *  Vectors, matrices, quaternions and rigid transforms.
  *
  *  Frames are right-handed and angles are in radians: a positive rotation about z takes x to y. A transform maps the
  *  coordinates x of a point in one frame to those in another, y = R x + X:

@@ -1,5 +1,5 @@
 /** @file MeMemory.h
- *  Memory allocation (User Guide app. C, "Re-Routing Memory Management In Karma").
+ *  Memory allocation.
  *
  *  Karma allocates all memory by the functions in MeMemoryAPI. A program may replace them, before it calls any other
  *  function of Karma:

@@ -1,5 +1,5 @@
 /** @file MeMessage.h
- *  Messages: information, debugging, logs, warnings, fatal errors (User Guide ch. 6 mentions the warnings).
+ *  Messages: information, debugging, logs, warnings, fatal errors.
  *
  *  A message passes two replaceable functions: its handler formats it, its show function prints the text. Replace the
  *  handler to get all messages of a kind with their arguments; replace the show function to redirect the text. The

@@ -1,5 +1,5 @@
 /** @file MeMisc.h
- *  Colours (User Guide app. B, "Creating the Graphics").
+ *  Colours.
  */
 #ifndef MEMISC_H
 #define MEMISC_H

@@ -1,5 +1,5 @@
 /** @file MePool.h
- *  Pools of records of one size, allocated and released in any order (User Guide app. C, "Setting Karma Memory Usage").
+ *  Pools of records of one size, allocated and released in any order.
  *
  *  There are two kinds of pool, with the same table of functions. A fixed pool allocates memory once, for a fixed
  *  number of records. A malloc pool allocates each record on request, without limit.

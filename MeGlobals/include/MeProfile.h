@@ -1,5 +1,5 @@
 /** @file MeProfile.h
- *  Profiling: the time spent in sections of code (User Guide app. B mentions it as the viewer's companion).
+ *  Profiling: the time spent in sections of code.
  *
  *  A program marks sections of its code, which may be nested, and frames:
  *

@@ -1,5 +1,5 @@
 /** @file MeViewer.h
- *  The viewer: draws to a window or an off-screen buffer, for test programs and prototypes (User Guide App. B).
+ *  The viewer: draws to a window or an off-screen buffer, for test programs and prototypes.
  *
  *  A program creates a context, adds graphics whose transforms point into the simulation, and passes its tick function
  *  to RRun:

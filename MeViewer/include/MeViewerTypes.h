@@ -1,5 +1,5 @@
 /** @file MeViewerTypes.h
- *  The viewer's structures, enumerations and callback types (User Guide App. B).
+ *  The viewer's structures, enumerations and callback types.
  *
  *  Members that are documented here may be read at any time, and written where the comment says so. All other state
  *  (window, OpenGL objects, input) is hidden behind RRender::m_pViewer. Numbers are AcmeReal, which is float in both

@@ -1,5 +1,5 @@
 /** @file RGeometryUtils.h
- *  Triangles of simple shapes, for programs that fill graphics themselves (User Guide App. B, "Geometry Data Format").
+ *  Triangles of simple shapes, for programs that fill graphics themselves.
  *
  *  Each shape has two functions: one returns its number of vertices; the other writes them to a graphic with room for
  *  as many (RGraphicCreateEmpty) and sets its m_nNumVertices. Round shapes have their axis along z, with a number of

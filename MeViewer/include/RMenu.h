@@ -1,6 +1,6 @@
 /** @file RMenu.h
- *  Control of the visible menu, for programs with input of their own (User Guide App. B, "Menu System"). MeViewer.h has
- *  the functions that make menus. Without a visible menu these functions do nothing.
+ *  Control of the visible menu, for programs with input of their own. MeViewer.h has the functions that make menus.
+ *  Without a visible menu these functions do nothing.
  */
 #ifndef RMENU_H
 #define RMENU_H

@@ -1,5 +1,5 @@
 /** @file Mst.h
- *  All of the Simulation Toolkit, dynamics and collision (User Guide ch. 5, "The Bridge").
+ *  All of the Simulation Toolkit, dynamics and collision.
  */
 #ifndef MST_H
 #define MST_H

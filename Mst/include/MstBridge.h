@@ -1,5 +1,5 @@
 /** @file MstBridge.h
- *  The bridge: turns collisions of models into contacts of their bodies (User Guide ch. 5, "Building a Bridge").
+ *  The bridge: turns collisions of models into contacts of their bodies.
  *
  *  A table of material pairs has the contact parameters and the callbacks of each pair. Two touching models have a
  *  contact group, which joins their bodies until the models are no longer near each other. Contacts are updated in

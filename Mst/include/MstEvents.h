@@ -1,6 +1,6 @@
 /** @file MstEvents.h
- *  Events of a step: touches that begin, persist or end, with their impulses; overlaps with sensors; joints that broke.
- *  Beyond Karma; events belong to the bridge (User Guide ch. 5).
+ *  Events of a step: touches that begin, persist or end, with their impulses; overlaps with sensors; joints that
+ *  broke. Beyond Karma; events belong to the bridge.
  *
  *  Touch. Two models begin to touch in a step in which one of their contacts carries a force or overlaps. They continue
  *  to touch until no contact does either and their gap exceeds the sum of their contact tolerances; this hysteresis

@@ -1,5 +1,5 @@
 /** @file MstModelDynamics.h
- *  Models with bodies (User Guide ch. 5, "Fitting Out the Universe").
+ *  Models with bodies.
  */
 #ifndef MSTMODELDYNAMICS_H
 #define MSTMODELDYNAMICS_H

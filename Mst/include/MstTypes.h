@@ -1,5 +1,5 @@
 /** @file MstTypes.h
- *  The types of the Simulation Toolkit (User Guide ch. 5, "Creating a Universe").
+ *  The types of the Simulation Toolkit.
  */
 #ifndef MSTTYPES_H
 #define MSTTYPES_H

@@ -1,5 +1,5 @@
 /** @file MstUniverse.h
- *  Universes: collision and dynamics in one (User Guide ch. 5, "Creating a Universe"). Includes all of Mst.h.
+ *  Universes: collision and dynamics in one. Includes all of Mst.h.
  */
 #ifndef MSTUNIVERSE_H
 #define MSTUNIVERSE_H

@@ -1,5 +1,5 @@
 /** @file MstUtils.h
- *  Models with and without bodies, and the parts of the bridge (User Guide ch. 5, "Fitting Out the Universe").
+ *  Models with and without bodies, and the parts of the bridge.
  */
 #ifndef MSTUTILS_H
 #define MSTUTILS_H

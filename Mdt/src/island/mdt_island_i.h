@@ -62,7 +62,7 @@ typedef struct MdtIsland {
     double minExactWork;               /* multiplications: lower bound of what a declined solve would cost */
     double excess;                     /* MdtReport.excess of the fast solver's last answer */
     MeBool hasDeclined;                /* the exact solver has declined the step */
-    MeBool hadImpact; /* there was an impact at the start of a part */
+    MeBool hadImpact;                  /* there was an impact at the start of a part */
     MeBool isStopped; /* the part's answer was not finite, and its bodies stay; written by mdt_step.c */
     /* mdt_compose.c */
     MdtStage stage;
