@@ -316,8 +316,8 @@ static MeBool isLastPass(MdtKeaSystem *s, Passes *p) {
     const MeBool isCut = p->isLimited && (s->parameters.mayDecline || kea_isExactEnough(&p->e, kea_sweptMargin) ||
                                           !kea_problemMaySweep(q));
     const MeBool hasRunAway = isnan(p->e.worst) || (isinf(p->e.worst) && isfinite(p->best.worst) && !q->hasFriction);
-    const MeBool isDone = areChains(s) || (!s->work->hasJoints && kea_isExactEnough(&p->best, kea_sweptMargin));
-    const MeBool isStuck = isDone && p->pass - p->marked > KEA_STUCK_PASSES; /* of chains: the step is too long */
+    const MeBool mayEnd = areChains(s) || (!s->work->hasJoints && kea_isExactEnough(&p->best, kea_sweptMargin));
+    const MeBool isStuck = mayEnd && p->pass - p->marked > KEA_STUCK_PASSES; /* of chains: the step is too long */
     return isEnough || isCut || hasRunAway || isStuck || p->pass == p->last;
 }
 
