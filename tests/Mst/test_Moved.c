@@ -135,6 +135,26 @@ static double slipOnCarousel(double w, double radius, double friction, int solve
     return worst;
 }
 
+/* A ship's deck in waves: friction suffices, so that nothing slides, though the deck begins each step with its new
+ * velocity. With the deck's way along the waves, and with a quarter of a wave between both. */
+LOOP_TEST(what_stands_on_a_deck_that_heaves_stays_there, 0, SOLVERS) {
+    static const double rates[] = {30, 60, 240};
+    for (int i = 0; i < 6; i++) {
+        begin(_i, .6, 0);
+        const double rate = rates[i / 2], phase = i % 2 * 1.57;
+        MdtBodyID deck = mover(20, 10, 1, sin(phase), 0, -.5), crate = box(1, sin(phase), 0, .5);
+        const double start = at(crate, 0) - at(deck, 0);
+        for (int n = 1; n <= 20 * rate; n++) {
+            const double t = n / rate;
+            moveTo(deck, sin(1.5 * t + phase), 0, -.5 + 2 * sin(1.5 * t), 0);
+            MstUniverseStep(u, (MeReal)(1 / rate));
+        }
+        ck_assert_msg(fabs(at(crate, 0) - at(deck, 0) - start) < 5e-3, "%g Hz, phase %g: drifts by %g m", rate, phase,
+                      at(crate, 0) - at(deck, 0) - start);
+        ck_assert_double_lt(fabs(at(crate, 2) - at(deck, 2) - 1), TOL(1e-3, 1e-3));
+    }
+}
+
 LOOP_TEST(a_carousel_carries_up_to_the_speed_that_friction_holds, 0, SOLVERS) {
     assert_below(slipOnCarousel(1, 3, .5, _i), 3e-5); /* w² r = 3 < mu g = 4.9 */
     assert_below(slipOnCarousel(2.1, 1, .5, _i), 3e-5);

@@ -3,8 +3,10 @@
  * A mover moves with one velocity V through the whole step, so its velocity changes by a jump D = V - V_before when the
  * step begins. A body that sticks to it has V_before at the start and V at the end, and moves by their mean: it would
  * lag by h/2 D, which adds up to half a step's way while a platform starts. So it is displaced by what it lacks of the
- * way that it would have made with D from the start on, h (1 - θ) D, along the surface. Bodies that stick to such a
- * body are displaced likewise. Joints hold the places of their bodies, which are left out.
+ * way that it would have made with D from the start on, h (1 - θ) D: along the surface, and along the normal where the
+ * mover begins to go away and the body comes along. (Where it comes nearer, that is an impact.) Otherwise the body
+ * falls behind, flies in the next step, and slides. Bodies that stick to such a body are displaced likewise. Joints
+ * hold the places of their bodies, which are left out.
  */
 #include "common/kea_anchor_i.h"
 #include "common/kea_policy_i.h"
@@ -15,13 +17,18 @@ static MeBool hasJump(const MdtKeaMover *m) {
     return m && keaDot(m->jump.lin, m->jump.lin) + keaDot(m->jump.ang, m->jump.ang) > 0;
 }
 
-/* A velocity at a place, along the surface, from that of a frame at its origin. */
-static void alongSurface(const double normal[3], const double origin[3], const MdtKeaVelocity *v, const double place[3],
-                         double at[6]) {
+/* A linear velocity at a place, from that of a frame at its origin. */
+static void velocityAt(const double origin[3], const MdtKeaVelocity *v, const double place[3], double at[3]) {
     double arm[3];
     keaSubtract(arm, place, origin);
     keaCross(at, v->ang, arm);
     keaAddScaled(at, 1, v->lin);
+}
+
+/* The same along the surface, and the spin about the normal. */
+static void alongSurface(const double normal[3], const double origin[3], const MdtKeaVelocity *v, const double place[3],
+                         double at[6]) {
+    velocityAt(origin, v, place, at);
     keaAddScaled(at, -keaDot(at, normal), normal);
     keaScale(at + 3, keaDot(v->ang, normal), normal);
 }
@@ -58,6 +65,17 @@ static MeBool sticks(const MdtKeaSystem *s, const double normal[3], const MdtKea
     return follows(s, normal, mover, origin, body, end->position, &v, NULL, whole);
 }
 
+/* m/s: the jump along the normal, if the mover goes away and the body comes along; side: 1 for the manifold's first
+ * body, -1. */
+static double dropOf(const MdtKeaSystem *s, const double normal[3], double side, const MdtKeaMover *mover, int body) {
+    double jump[3], of[3];
+    velocityAt(mover->position, &mover->jump, s->pose[body].pos, jump);
+    velocityAt(mover->position, &mover->velocity, s->pose[body].pos, of);
+    const double along = keaDot(jump, normal);
+    const double behind = keaDot(s->work->end[body].velocity, normal) - keaDot(of, normal);
+    return side * along < 0 && fabs(behind) < kea_stickingSlip * fabs(along) ? along : 0;
+}
+
 static MeBool pushes(const MdtKeaManifold *m) {
     for (int i = 0; i < m->numPoints; i++)
         if (m->point[i].force[0] > 0)
@@ -77,6 +95,8 @@ static MeBool carryOver(const MdtKeaSystem *s, const MdtKeaManifold *m, const Md
         kea_dropLocked(s->work->body[body].locked, jump);
         if (!sticks(s, m->normal, mover, body, jump))
             continue;
+        keaAddScaled(jump, dropOf(s, m->normal, k == 0 ? 1 : -1, mover, body), m->normal);
+        kea_dropLocked(s->work->body[body].locked, jump);
         carrier[body] = mover;
         return METRUE;
     }

@@ -128,6 +128,12 @@ static void startLinearRow(const KeaContact *c, const double d[3], int owner, do
     row->rolls = c->rolls;
 }
 
+/* m/s: by how much the row's rate changes as the step begins, by the velocity of the contact's mover. */
+static double jumpOf(const MdtKeaSystem *s, const KeaContact *c, const MdtKeaRow *row) {
+    const MeBool isFirst = s->parameters.elapsed + s->parameters.late == 0;
+    return c->manifold->mover && isFirst ? worldRateBy(c, row->J, &c->manifold->mover->jump) : 0;
+}
+
 static void normalRow(const MdtKeaSystem *s, const KeaContact *c, int owner, MdtKeaRow *row) {
     const MdtKeaParameters *p = &s->parameters;
     const MdtKeaSurface *surface = &c->manifold->surface;
@@ -141,6 +147,7 @@ static void normalRow(const MdtKeaSystem *s, const KeaContact *c, int owner, Mdt
     row->softness = p->epsilon + p->softening * surface->softness;
     row->lower = -surface->adhesion;
     row->force = c->at->guess[0];
+    row->jump = jumpOf(s, c, row);
     MEASSERT(row->lower <= 0 && row->softness >= 0);
 }
 
@@ -154,11 +161,10 @@ static void directionOf(const KeaContact *c, int direction, double d[3]) {
 
 static void frictionRow(const MdtKeaSystem *s, const KeaContact *c, int direction, int owner, MdtKeaRow *row) {
     const MdtKeaSurface *surface = &c->manifold->surface;
-    const MeBool isFirst = s->parameters.elapsed + s->parameters.late == 0;
     double d[3];
     directionOf(c, direction, d);
     startLinearRow(c, d, owner, surface->slide[direction], row);
-    row->jump = c->manifold->mover && isFirst ? worldRateBy(c, row->J, &c->manifold->mover->jump) : 0;
+    row->jump = jumpOf(s, c, row);
     row->softness = surface->slip[direction] / s->parameters.stepsize;
     if (surface->coefficient[direction] > 0) {
         row->normal = c->firstRow;
