@@ -311,8 +311,9 @@ void kea_returnContactForces(MdtKeaSystem *s);
 
 /* ---- kea_impact_time.c ---- */
 
-/* Of the load speed: an impact that is slower does not divide a step unless another one is faster. */
-double kea_minDividingSpeed(double restitution);
+/* m/s: an impact that is slower does not divide a step unless another one is faster. gained: by how much the rate of
+ * the contact changes in the step; speed: kea_eventSpeed. */
+double kea_minDividingSpeed(double restitution, double gained, double speed);
 /* s: the first t >= 0 at which gap + a t + b t²/2 becomes negative; HUGE_VAL: none. */
 double kea_timeOfImpact(double gap, double a, double b);
 

@@ -319,7 +319,7 @@ MeBool kea_impactsChatter(const MdtKeaSystem *s, const KeaEventScale *scale) {
             continue;
         const MeBool isTouching = kea_isTouching(s, row);
         const double rate = kea_startRate(s, i);
-        if (rate < -kea_minDividingSpeed(row->restitution) * speed &&
+        if (rate < -kea_minDividingSpeed(row->restitution, HUGE_VAL, speed) &&
             (isTouching || row->error + s->parameters.stepsize * rate < 0))
             return MEFALSE;
         approaches = approaches ||

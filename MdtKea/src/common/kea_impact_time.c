@@ -3,8 +3,10 @@
 #include "common/kea_policy_i.h"
 #include "kea_i.h"
 
-double kea_minDividingSpeed(double restitution) {
-    return restitution > 0 ? kea_minReboundSpeed : kea_minPlasticSpeed;
+double kea_minDividingSpeed(double restitution, double gained, double speed) {
+    if (restitution > 0)
+        return kea_minReboundSpeed * speed;
+    return keaMin(kea_minPlasticSpeed * speed, keaMax(kea_minOwnSpeed * fabs(gained), kea_minBlowSpeed * speed));
 }
 
 double kea_timeOfImpact(double gap, double a, double b) {
@@ -37,8 +39,8 @@ static double accelerationOf(const MdtKeaSystem *s, const MdtKeaManifold *m, con
 }
 
 /* s: the time of the impact of a point with a gap, under the acceleration of the last step, or that of the loads if it
- * was a jerk; HUGE_VAL: none that is faster than minSpeed. */
-static double timeOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *point, double minSpeed) {
+ * was a jerk; HUGE_VAL: none that divides the step. speed: kea_eventSpeed. */
+static double timeOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *point, double speed) {
     const double h = s->parameters.stepsize, touching = point->guess[0] > 0 ? kea_nearbyGap : kea_touchingGap;
     double arm[2][3];
     if (!(-point->depth > touching * kea_smallerExtent(s, m->body)))
@@ -52,14 +54,14 @@ static double timeOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const 
     if (0.5 * h * fabs(acceleration) > fabs(a.rate) + kea_loadSpeed(s))
         acceleration = (a.predicted - a.rate) / h;
     const double time = kea_timeOfImpact(-point->depth, a.rate, acceleration);
-    return a.rate + acceleration * time < -minSpeed ? time : HUGE_VAL;
+    return a.rate + acceleration * time < -kea_minDividingSpeed(0, h * acceleration, speed) ? time : HUGE_VAL;
 }
 
 double MEAPI MdtKeaTimeOfImpact(const MdtKeaSystem *s) {
-    const double minSpeed = kea_minPlasticSpeed * kea_eventSpeed(s);
+    const double speed = kea_eventSpeed(s);
     double first = s->parameters.stepsize;
     for (int i = 0; i < s->numManifolds; i++)
         for (int k = 0; k < s->manifolds[i].numPoints; k++)
-            first = keaMin(first, timeOfPoint(s, &s->manifolds[i], &s->manifolds[i].point[k], minSpeed));
+            first = keaMin(first, timeOfPoint(s, &s->manifolds[i], &s->manifolds[i].point[k], speed));
     return first;
 }

@@ -27,7 +27,8 @@ MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed) {
     const double overlap = -row->error, least = s->parameters.gamma * overlap / s->parameters.stepsize;
     const MeBool sheds =
         row->restitution <= kea_lossyRestitution && overlap > kea_touchingGap * kea_smallerExtent(s, row->body);
-    return !kea_isTouching(s, row) || kea_startRate(s, i) > keaMax(kea_separatingSpeed * speed, sheds ? least : 0);
+    const double rate = kea_startRate(s, i) - keaMax(row->jump, 0); /* of a mover that begins to go away */
+    return !kea_isTouching(s, row) || rate > keaMax(kea_separatingSpeed * speed, sheds ? least : 0);
 }
 
 /* ---- which systems are timed ---- */
@@ -115,37 +116,52 @@ int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *s) {
 /* ---- impacts ---- */
 
 typedef struct Impact {
-    double time, speed; /* s into the step, HUGE_VAL: none; m/s, over the share of the load speed that divides a step */
+    double time, speed; /* s into the step, HUGE_VAL: none; over the least speed that divides the step */
 } Impact;
 
-/* The impact of the contact with normal row i, whose rate changes linearly to endRate within the step. */
-static Impact impactOf(const MdtKeaSystem *s, int i, double endRate) {
+/* The approach of the contact with normal row i, whose rate changes linearly to endRate within the step. */
+typedef struct Course {
+    double start, acceleration, time; /* m/s, m/s², s: of the impact; HUGE_VAL: none */
+} Course;
+
+static Course courseOf(const MdtKeaSystem *s, int i, double endRate) {
     const MdtKeaRow *row = &s->rows[i];
-    const double a = kea_startRate(s, i), b = (endRate - row->drift - a) / s->parameters.stepsize;
-    const double time = kea_timeOfImpact(row->error, a, b);
-    return (Impact){time, time < HUGE_VAL ? -(a + b * time) / kea_minDividingSpeed(row->restitution) : 0};
+    Course c = {.start = kea_startRate(s, i)};
+    c.acceleration = (endRate - row->drift - c.start) / s->parameters.stepsize;
+    c.time = kea_timeOfImpact(row->error, c.start, c.acceleration);
+    return c;
+}
+
+static Impact impactOf(const MdtKeaSystem *s, int i, double endRate, double speed) {
+    const Course c = courseOf(s, i, endRate);
+    if (c.time == HUGE_VAL)
+        return (Impact){HUGE_VAL, 0};
+    const double gained = c.acceleration * s->parameters.stepsize;
+    const double min = kea_minDividingSpeed(s->rows[i].restitution, gained, speed);
+    return (Impact){c.time, -(c.start + c.acceleration * c.time) / min};
 }
 
 /* ---- slow contacts, closed from the start instead ---- */
 
 /* Whether a contact, whose rate changes linearly to endRate, has an impact within the step that is too slow to rebound.
  * With holdsSlow, it then acts from the start of the step instead. */
-static MeBool closesSlowly(const MdtKeaSystem *s, int i, double endRate) {
-    const Impact m = impactOf(s, i, endRate);
-    return s->parameters.holdsSlow && m.time < s->parameters.stepsize && m.speed <= kea_eventSpeed(s);
+static MeBool closesSlowly(const MdtKeaSystem *s, int i, double endRate, double speed) {
+    const Impact m = impactOf(s, i, endRate, speed);
+    return s->parameters.holdsSlow && m.time < s->parameters.stepsize && m.speed <= 1;
 }
 
 void kea_markOpenContacts(MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i)
-            s->rows[i].isOpen = kea_isContactOpen(s, i, speed) && !closesSlowly(s, i, freeRate(s, &s->rows[i]));
+            s->rows[i].isOpen = kea_isContactOpen(s, i, speed) && !closesSlowly(s, i, freeRate(s, &s->rows[i]), speed);
 }
 
 int kea_closeSlowContacts(MdtKeaSystem *s) {
+    const double speed = kea_eventSpeed(s);
     int count = 0;
     for (int i = 0; i < s->numRows; i++)
-        if (s->rows[i].contact == i && s->rows[i].isOpen && closesSlowly(s, i, kea_endRate(s, i))) {
+        if (s->rows[i].contact == i && s->rows[i].isOpen && closesSlowly(s, i, kea_endRate(s, i), speed)) {
             s->rows[i].isOpen = MEFALSE;
             count++;
         }
@@ -155,12 +171,12 @@ int kea_closeSlowContacts(MdtKeaSystem *s) {
 /* ---- events ---- */
 
 /* The time of the first impact of open contacts, and the largest speed of all impacts within the step. */
-static Impact firstImpact(const MdtKeaSystem *s) {
+static Impact firstImpact(const MdtKeaSystem *s, double speed) {
     Impact first = {HUGE_VAL, 0};
     for (int i = 0; i < s->numRows; i++) {
         if (s->rows[i].contact != i || !s->rows[i].isOpen)
             continue;
-        const Impact m = impactOf(s, i, kea_endRate(s, i));
+        const Impact m = impactOf(s, i, kea_endRate(s, i), speed);
         first.time = keaMin(first.time, m.time);
         if (m.time < s->parameters.stepsize)
             first.speed = keaMax(first.speed, m.speed);
@@ -169,7 +185,7 @@ static Impact firstImpact(const MdtKeaSystem *s) {
 }
 
 double kea_freeTimeOfImpact(const MdtKeaSystem *s, int i) {
-    return impactOf(s, i, freeRate(s, &s->rows[i])).time;
+    return courseOf(s, i, freeRate(s, &s->rows[i])).time;
 }
 
 double kea_firstEventOfFlight(const MdtKeaSystem *s) {
@@ -255,10 +271,10 @@ static double firstEndOfSliding(const MdtKeaSystem *s) {
 double kea_firstEvent(MdtKeaSystem *s, MeBool *mustRepeat) {
     const double speed = kea_eventSpeed(s);
     *mustRepeat = !s->parameters.holdsSlow && fixStoppingFriction(s, kea_separatingSpeed * speed) > 0;
-    const Impact impact = firstImpact(s);
+    const Impact impact = firstImpact(s, speed);
     const double stop = firstEndOfSliding(s);
     MEASSERT(!(impact.time < 0) && !(stop < 0));
-    s->report.trembles = impact.time < s->parameters.stepsize && impact.speed <= speed;
+    s->report.trembles = impact.time < s->parameters.stepsize && impact.speed <= 1;
     return keaMin(impact.time, stop);
 }
 
