@@ -108,6 +108,10 @@ MEPUBLIC void MEAPI McdSpaceSetTeam(McdSpaceID s, MeTeam *team);
 MEPUBLIC void MEAPI McdSpaceCompareModels(McdSpaceID s);
 /** @} */
 
+/** Sets how far a body falls from rest before the next test, m: corners of hulls that come down by as much are
+ *  contacts. Initially 0. */
+MEPUBLIC void MEAPI McdFrameworkSetFall(McdFrameworkID frame, double fall);
+
 /** @name Change detection: tests that need not be repeated
  *  @{ */
 /** Begins a round: models do not change until the next one, and each is compared with its last inputs at most once. */

@@ -6,6 +6,7 @@
  * separation. On flat faces the separation is linear, so the deepest point is one of these corners.
  */
 #include "convex/mcd_kind_i.h"
+#include "convex/mcd_spread_i.h"
 
 #include <stdbool.h>
 #include <string.h>
@@ -31,6 +32,16 @@ static MeU32 featureCode(MeU32 kind, MeU32 face, MeU32 name) {
 
 static MeU32 kindOfFeature(MeU32 feature) {
     return feature >> 6 & 3;
+}
+
+/* The code of a corner of a hull's cap: its number in place of a face's id, and a name that no witness point has. */
+enum { CAP_NAME = MCD_FACE_POINTS - 1 };
+static MeU32 capCode(int corner) {
+    return featureCode(SUPPORT, (MeU32)corner, CAP_NAME);
+}
+
+static MeBool isOfCap(MeU32 feature) {
+    return kindOfFeature(feature) == SUPPORT && (feature & (MCD_FACE_POINTS - 1)) == CAP_NAME;
 }
 
 /* The feature id of a contact: a's feature in the upper 32 bits, b's in the lower ones. */
@@ -518,12 +529,68 @@ static int reduceToFour(Candidate *candidate, int count, MeBool isDisc, double s
     return made;
 }
 
+/* ---- corners that come down -------------------------------------------------------------------------------------- */
+
+/* Whether a point in the contact plane is inside of a polygon, or at its border. */
+static MeBool isWithin(const Outline *o, double x, double y, double slack) {
+    for (int i = 0; i < o->count; i++) {
+        const int next = i + 1 < o->count ? i + 1 : 0;
+        const double ex = o->x[next] - o->x[i], ey = o->y[next] - o->y[i];
+        if (ex * (y - o->y[i]) - ey * (x - o->x[i]) < -slack * hypot(ex, ey))
+            return MEFALSE;
+    }
+    return o->count > 2;
+}
+
+/* Appends the corners of one shape's cap over the other one's face. isOfA: the cap is a's. */
+static int addCap(const McdShape *s, const Outline *onto, const View *v, MeBool isOfA, double tilt, double margin,
+                  Candidate *candidate, int count) {
+    const MeU32 inside = featureCode(INSIDE, onto->id, 0);
+    double direction[3];
+    McdCap cap;
+    mcd_scale(direction, v->n, isOfA ? -1 : 1);
+    if (onto->count < 3 || !mcd_capToward(s, direction, tilt, &cap))
+        return count;
+    for (int i = 0; i < cap.count && count < MAX_CANDIDATES; i++) {
+        const double x = mcd_dot(v->u, cap.point[i]), y = mcd_dot(v->w, cap.point[i]), z = mcd_dot(v->n, cap.point[i]);
+        const double height = planeHeight(onto, x, y);
+        const MeU32 code = capCode(cap.corner[i]);
+        if (!isWithin(onto, x, y, v->slack))
+            continue;
+        candidate[count++] = (Candidate){.x = x,
+                                         .y = y,
+                                         .a = isOfA ? z : height,
+                                         .b = isOfA ? height : z,
+                                         .feature = isOfA ? featureOfPair(code, inside) : featureOfPair(inside, code)};
+    }
+    return dropFarAndDuplicates(candidate, count, margin, v->slack);
+}
+
+/* Adds to the chosen contacts those of all candidates that may overlap when the shapes tilt. */
+static int addForTilt(const Candidate *all, int count, double tilt, double size, Candidate *chosen, int chosenCount) {
+    McdSpot spot[MAX_CANDIDATES];
+    int kept[MCD_MANIFOLD_POINTS] = {0};
+    for (int i = 0; i < count; i++) {
+        spot[i] = (McdSpot){.at = {all[i].x, all[i].y, 0, 0, 0, 1}, .separation = all[i].a - all[i].b};
+        for (int k = 0; k < chosenCount; k++)
+            if (all[i].feature == chosen[k].feature)
+                kept[k] = i;
+    }
+    const int keptCount =
+        mcd_spreadForTilt(spot, count, MCD_MANIFOLD_POINTS, tilt, mcd_mayEnter * size, chosenCount, kept);
+    for (int k = chosenCount; k < keptCount; k++)
+        chosen[k] = all[kept[k]];
+    return keptCount;
+}
+
 /* ---- manifolds ------------------------------------------------------------------------------------------ */
 
 /* Whether a candidate at (x, y, z) is at a vertex of the face. A corner of a disc is one sample of its rim, and the
  * rim's farthest point moves along it. The witness points of a proximity (SUPPORT) have no name: they are compared. */
 static MeBool isAtVertex(const McdFace *f, MeU32 feature, const View *v, double x, double y, double z) {
     double point[3];
+    if (isOfCap(feature))
+        return METRUE;
     if (f->isDisc || kindOfFeature(feature) != SUPPORT)
         return !f->isDisc && kindOfFeature(feature) == CORNER;
     for (int k = 0; k < 3; k++)
@@ -637,11 +704,12 @@ static MeBool isManifoldGood(const McdShape *a, const McdShape *b, const McdProx
 }
 
 int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
-                      const McdProximity *p, double margin, McdManifold *m) {
-    Candidate candidate[MAX_CANDIDATES];
+                      const McdProximity *p, McdReach reach, McdManifold *m) {
+    Candidate candidate[MAX_CANDIDATES], all[MAX_CANDIDATES];
     Outline outA, outB;
     const View v = makeView(a, b, p);
-    const double coreMargin = margin + a->rounding + b->rounding;
+    const double size = mcd_pairSize(a, b), tilt = mcd_tiltOf(reach, size);
+    const double coreMargin = reach.margin + a->rounding + b->rounding;
     const MeU64 support = featureOfPair(featureCode(SUPPORT, faceA->id, 0), featureCode(SUPPORT, faceB->id, 0));
     int count = 0;
     outA.count = outB.count = 0;
@@ -668,8 +736,17 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
         candidate[min].a = candidate[min].b + p->separation;
     else if (p->separation <= coreMargin)
         candidate[count++] = supportCandidate(&v, p, support);
-    if (count > MCD_MANIFOLD_POINTS)
-        count = reduceToFour(candidate, count, faceA->isDisc || faceB->isDisc, mcd_pairSize(a, b));
+    const MeBool mayTilt = (a->hull || b->hull) && mcd_mayTilt(tilt);
+    int allCount = mayTilt ? count : 0;
+    memcpy(all, candidate, (size_t)allCount * sizeof *all);
+    if (count > MCD_FACE_CONTACTS)
+        count = reduceToFour(candidate, count, faceA->isDisc || faceB->isDisc, size);
+    if (mayTilt) {
+        allCount = addCap(a, &outB, &v, METRUE, tilt, coreMargin, all, allCount);
+        allCount = addCap(b, &outA, &v, MEFALSE, tilt, coreMargin, all, allCount);
+        if (allCount > count && count > 0)
+            count = addForTilt(all, allCount, tilt, size, candidate, count);
+    }
     MEASSERT(count <= MCD_MANIFOLD_POINTS);
     for (int i = 0; i < count; i++) {
         const Candidate *c = &candidate[i];
@@ -677,7 +754,7 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
         point->isVertex[0] = isAtVertex(faceA, (MeU32)(c->feature >> 32), &v, c->x, c->y, c->a);
         point->isVertex[1] = isAtVertex(faceB, (MeU32)c->feature, &v, c->x, c->y, c->b);
     }
-    MEVALIDATE(isManifoldGood(a, b, p, margin, m));
+    MEVALIDATE(isManifoldGood(a, b, p, reach.margin, m));
     return m->count;
 }
 

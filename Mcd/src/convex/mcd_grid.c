@@ -193,18 +193,18 @@ static int smoothContact(const McdShape *a, const McdShape *b, MeBool isPointOfA
     return mcd_pointManifold(a, b, p, 0, margin, m);
 }
 
-static int clipFacesAlongNormal(const McdShape *a, const McdShape *b, double margin, McdProximity *p, McdManifold *m) {
+static int clipFacesAlongNormal(const McdShape *a, const McdShape *b, McdReach reach, McdProximity *p, McdManifold *m) {
     McdFace faceA, faceB;
     findFacesAlong(a, b, p->normal, &faceA, &faceB);
     if (isSmoothPoint(a, &faceA) || isSmoothPoint(b, &faceB))
-        return smoothContact(a, b, isSmoothPoint(a, &faceA), margin, p, m);
+        return smoothContact(a, b, isSmoothPoint(a, &faceA), reach.margin, p, m);
     if (!p->isGuess &&
         !(areAllAxesTried(a, b) && p->separation <= 0)) { /* else the separating axes prefer face normals already */
         preferFaceNormals(a, b, &faceA, &faceB, p);
         if (faceA.count == 2 || faceB.count == 2) /* lines depend on the normal */
             findFacesAlong(a, b, p->normal, &faceA, &faceB);
     }
-    return mcd_facesManifold(a, b, &faceA, &faceB, p, margin, m);
+    return mcd_facesManifold(a, b, &faceA, &faceB, p, reach, m);
 }
 
 /* For shapes without contacts: stores the gap of their surfaces, which lie outside of the cores by the rounding.
@@ -216,27 +216,27 @@ static int storeGap(const McdShape *a, const McdShape *b, const McdProximity *p,
 
 /* Finds the manifold by the cheapest algorithm that is exact. Resting shapes mostly touch along a face's normal, and
  * round ones along a normal between their sides: these guesses only need verification. Other pairs use GJK and EPA. */
-static int manifoldOf(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
-    const double limit = margin + a->rounding + b->rounding;
+static int manifoldOf(const McdShape *a, const McdShape *b, McdReach reach, McdManifold *m) {
+    const double limit = reach.margin + a->rounding + b->rounding;
     McdProximity p;
     m->count = 0;
     m->minGap = 0;
     mcd_set(m->normal, 0, 0, 1);
     if (isPointCore(a) || isPointCore(b))
-        return findProximity(a, b, limit, &p) ? mcd_pointManifold(a, b, &p, 0, margin, m) : storeGap(a, b, &p, m);
+        return findProximity(a, b, limit, &p) ? mcd_pointManifold(a, b, &p, 0, reach.margin, m) : storeGap(a, b, &p, m);
     if (!guessNormal(a, b, limit, &p))
         return storeGap(a, b, &p, m);
-    if ((p.separation > 0 || (p.isGuess && mcd_isMinDepth(a, b, &p))) && clipFacesAlongNormal(a, b, margin, &p, m))
+    if ((p.separation > 0 || (p.isGuess && mcd_isMinDepth(a, b, &p))) && clipFacesAlongNormal(a, b, reach, &p, m))
         return m->count;
     if (p.isGuess && mcd_guessSides(a, b, &p)) {
         if (!(p.separation <= limit))
             return storeGap(a, b, &p, m);
-        if ((p.separation > 0 || mcd_isMinDepthOfRound(a, b, &p)) && clipFacesAlongNormal(a, b, margin, &p, m))
+        if ((p.separation > 0 || mcd_isMinDepthOfRound(a, b, &p)) && clipFacesAlongNormal(a, b, reach, &p, m))
             return m->count;
     }
     if (p.isGuess && !findProximity(a, b, limit, &p))
         return storeGap(a, b, &p, m);
-    return clipFacesAlongNormal(a, b, margin, &p, m);
+    return clipFacesAlongNormal(a, b, reach, &p, m);
 }
 
 static MeBool isManifoldWithin(const McdManifold *m, double margin) {
@@ -246,13 +246,13 @@ static MeBool isManifoldWithin(const McdManifold *m, double margin) {
     return m->count >= 0 && m->count <= MCD_MANIFOLD_POINTS;
 }
 
-int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdManifold *m) {
+int mcd_convexManifold(const McdShape *a, const McdShape *b, McdReach reach, McdManifold *m) {
     MEASSERT(a->extent > 0 && b->extent > 0 && a->rounding >= 0 && b->rounding >= 0);
     if (rankOf(a) <= rankOf(b))
-        return manifoldOf(a, b, margin, m);
-    const int count = manifoldOf(b, a, margin, m);
+        return manifoldOf(a, b, reach, m);
+    const int count = manifoldOf(b, a, reach, m);
     mcd_manifoldSwap(m);
-    MEASSERT(count == m->count && (isManifoldWithin(m, margin) || !mcd_areResolved(a, b)));
+    MEASSERT(count == m->count && (isManifoldWithin(m, reach.margin) || !mcd_areResolved(a, b)));
     return count;
 }
 
@@ -266,7 +266,7 @@ static void moveWitnessesToFaces(const McdShape *a, const McdShape *b, McdProxim
     findFacesAlong(a, b, p->normal, &faceA, &faceB);
     if (fmax(-mcd_dot(faceA.normal, p->normal), mcd_dot(faceB.normal, p->normal)) < 1 - 1e-9)
         return; /* an edge-edge contact has a single point */
-    const int count = mcd_facesManifold(a, b, &faceA, &faceB, p, INFINITY, &m);
+    const int count = mcd_facesManifold(a, b, &faceA, &faceB, p, (McdReach){INFINITY, 0}, &m);
     for (int i = 1; i < count; i++)
         if (m.point[i].separation < deepest->separation)
             deepest = &m.point[i];

@@ -4,7 +4,7 @@
 /* Kind of the square of the plane that is clipped. */
 static const McdKind flat = {.rank = MCD_RANK_OTHER};
 
-int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, double margin, McdManifold *m) {
+int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, McdReach reach, McdManifold *m) {
     double back[3];
     McdProximity p = {.isGuess = 0};
     McdFace face, ground = {.count = 4};
@@ -14,7 +14,7 @@ int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, 
     mcd_coreSupport(a, back, p.onA);
     p.separation = mcd_dot(p.onA, normal) - offset;
     mcd_mad(p.onB, p.onA, -p.separation, normal);
-    if (!(p.separation - a->rounding <= margin)) {
+    if (!(p.separation - a->rounding <= reach.margin)) {
         m->count = 0;
         mcd_copy(m->normal, normal);
         return 0;
@@ -31,7 +31,7 @@ int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, 
         mcd_mad(corner, corner, (i < 2 ? -4 : 4) * a->extent, w);
         ground.name[i] = (MeU32)i;
     }
-    return mcd_facesManifold(a, &square, &face, &ground, &p, margin, m);
+    return mcd_facesManifold(a, &square, &face, &ground, &p, reach, m);
 }
 
 double mcd_planeDistance(const McdShape *a, const MeVector4 *tm, const double origin[3], double onA[3], double onB[3],

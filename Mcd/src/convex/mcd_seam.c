@@ -239,7 +239,7 @@ MeBool mcd_seamGapShift(const McdSeam *s, const McdShape *body, const double fac
 
 /* ---- contacts along a normal ------------------------------------------------------------------------------------- */
 
-int mcd_manifoldAlong(const McdShape *a, const McdShape *b, const double normal[3], double separation, double margin,
+int mcd_manifoldAlong(const McdShape *a, const McdShape *b, const double normal[3], double separation, McdReach reach,
                       McdManifold *m) {
     double back[3];
     McdProximity p = {.separation = separation, .isGuess = METRUE};
@@ -249,12 +249,12 @@ int mcd_manifoldAlong(const McdShape *a, const McdShape *b, const double normal[
     mcd_faceToward(a, back, &faceA);
     mcd_faceToward(b, normal, &faceB);
     if (faceA.count > 1 && faceB.count > 1)
-        return mcd_facesManifold(a, b, &faceA, &faceB, &p, margin, m);
+        return mcd_facesManifold(a, b, &faceA, &faceB, &p, reach, m);
     mcd_coreSupport(a, back, p.onA);
     mcd_coreSupport(b, normal, p.onB);
     const MeBool isOnA = faceA.count == 1; /* the shape that is a point; the other witness point is its projection */
     mcd_mad(isOnA ? p.onB : p.onA, isOnA ? p.onA : p.onB, isOnA ? -separation : separation, normal);
     if (mcd_pointDistance(isOnA ? b : a, isOnA ? p.onB : p.onA) > mcd_faceBias * mcd_pairSize(a, b))
         return 0;
-    return mcd_pointManifold(a, b, &p, 0, margin, m);
+    return mcd_pointManifold(a, b, &p, 0, reach.margin, m);
 }

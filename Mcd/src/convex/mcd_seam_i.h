@@ -50,7 +50,7 @@ int mcd_shapeFaces(const McdShape *s);
 MeBool mcd_shapeFaceNormal(const McdShape *s, int i, double normal[3]);
 /* Finds the contacts along a normal, if the shapes touch along it: their faces are above each other, or a sphere's
  * lowest point is above a face. The separation is that of the cores. Returns the number of contacts. */
-int mcd_manifoldAlong(const McdShape *a, const McdShape *b, const double normal[3], double separation, double margin,
+int mcd_manifoldAlong(const McdShape *a, const McdShape *b, const double normal[3], double separation, McdReach reach,
                       McdManifold *m);
 
 #endif

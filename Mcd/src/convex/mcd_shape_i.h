@@ -153,7 +153,15 @@ double mcd_shapeNoise(const McdShape *s);
 
 /* ---- manifolds ------------------------------------------------------------------------------------------------ */
 
-enum { MCD_MANIFOLD_POINTS = 4 };
+/* Of the faces, and with the corners that the shapes may bring down beside them before the next test. With room for 8,
+ * thin shards of 16 corners rock for ever. */
+enum { MCD_FACE_CONTACTS = 4, MCD_MANIFOLD_POINTS = 12 };
+
+/* Which gaps are contacts. */
+typedef struct McdReach {
+    double margin;   /* m: the largest gap */
+    double approach; /* m: by how much surfaces may come nearer before the next test, also by falling; 0: not known */
+} McdReach;
 
 typedef struct McdManifoldPoint {
     double position[3]; /* midway between the surfaces */
@@ -170,11 +178,11 @@ typedef struct McdManifold {
     McdManifoldPoint point[MCD_MANIFOLD_POINTS];
 } McdManifold;
 
-/* Finds the contacts of two convex shapes whose gap is at most `margin`. Returns their number; 0 if the shapes are
+/* Finds the contacts of two convex shapes, with gaps within the reach. Returns their number; 0 if the shapes are
  * farther apart. Serves every pair of types, by the grid in mcd_grid.c. */
-int mcd_convexManifold(const McdShape *a, const McdShape *b, double margin, McdManifold *m);
+int mcd_convexManifold(const McdShape *a, const McdShape *b, McdReach reach, McdManifold *m);
 /* Finds the contacts of shape a with the half-space below the plane normal . x = offset, which is shape b. */
-int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, double margin, McdManifold *m);
+int mcd_planeManifold(const McdShape *a, const double normal[3], double offset, McdReach reach, McdManifold *m);
 /* Swaps the roles of the two shapes in a manifold: negates the normal, swaps radii and features. */
 void mcd_manifoldSwap(McdManifold *m);
 /* The signed distance of a convex shape from the half-space below z = 0 of tm; outputs as of mcd_convexDistance. */

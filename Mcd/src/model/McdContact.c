@@ -4,7 +4,7 @@
 #include "model/mcd_result_i.h"
 #include "convex/mcd_kind_i.h"
 #include "convex/mcd_shape_i.h"
-#include "model/mcd_spread_i.h"
+#include "convex/mcd_spread_i.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* Converts manifolds to McdIntersectResult: margins, contacts, unique features, the mean normal. */
 #include "convex/mcd_shape_i.h"
-#include "model/mcd_spread_i.h"
+#include "convex/mcd_spread_i.h"
 #include "convex/mcd_vector_i.h"
 #include "model/mcd_result_i.h"
 
@@ -29,26 +29,31 @@ MeReal MEAPI McdModelPairGetFastMargin(const McdModelPair *p) {
     return MeMAX(mcd_record(p->model1)->fastMargin, mcd_record(p->model2)->fastMargin);
 }
 
-static double marginOf(const McdModelPair *p, const MeReal *velocity1, const MeReal *velocity2) {
+void MEAPI McdFrameworkSetFall(McdFrameworkID frame, double fall) {
+    MEASSERT(frame && fall >= 0);
+    frame->fall = fall;
+}
+
+static McdReach reachOf(const McdModelPair *p, const MeReal *velocity1, const MeReal *velocity2) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     if (isTimed(p))
-        return (double)McdModelPairGetFastMargin(p);
+        return (McdReach){(double)McdModelPairGetFastMargin(p), 0};
     const double approach = maxApproach(a, b, velocity1, velocity2, p->mayTurnRound);
     MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(approach < 0));
-    return (double)a->tolerance + (double)b->tolerance + approach;
+    return (McdReach){(double)a->tolerance + (double)b->tolerance + approach, approach + a->frame->fall};
 }
 
-double mcd_pairMargin(const McdModelPair *p) {
-    return marginOf(p, mcd_record(p->model1)->linearVelocity, mcd_record(p->model2)->linearVelocity);
+McdReach mcd_pairReach(const McdModelPair *p) {
+    return reachOf(p, mcd_record(p->model1)->linearVelocity, mcd_record(p->model2)->linearVelocity);
 }
 
-double mcd_pairMarginInRound(const McdModelPair *p) {
-    return marginOf(p, mcd_record(p->model1)->inputs.velocity, mcd_record(p->model2)->inputs.velocity);
+McdReach mcd_pairReachInRound(const McdModelPair *p) {
+    return reachOf(p, mcd_record(p->model1)->inputs.velocity, mcd_record(p->model2)->inputs.velocity);
 }
 
-double mcd_childMargin(const McdModelPair *p, const McdGeometryInstance *child1, const McdGeometryInstance *child2) {
+McdReach mcd_childReach(const McdModelPair *p, const McdGeometryInstance *child1, const McdGeometryInstance *child2) {
     MeVector3 memory[2];
-    return marginOf(p, mcd_childVelocity(child1, memory[0]), mcd_childVelocity(child2, memory[1]));
+    return reachOf(p, mcd_childVelocity(child1, memory[0]), mcd_childVelocity(child2, memory[1]));
 }
 
 void mcd_pairDisplacement(const McdModelPair *p, double displacement[3]) {

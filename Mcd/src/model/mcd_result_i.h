@@ -52,15 +52,19 @@ int mcd_warnNotPlaced(const char *function); /* gives that warning; returns 0 */
 static inline MeReal mcd_modelMargin(const McdModelRecord *m) {
     return m->tolerance + m->travel;
 }
+/* McdContactSimplify in given memory of mcd_simplifyBytes(count) bytes; faceNormal may be null. */
+size_t mcd_simplifyBytes(int count);
+int mcd_simplify(const McdContact *from, int count, McdContact *to, int maxCount, const MeReal *faceNormal, double same,
+                 void *memory);
 /* Mixes bytes into a 128-bit hash. A change within one group of eight bytes always changes the hash; changes of
  * several groups could only cancel by chance. */
 void mcd_hashAdd(MeU64 hash[2], const void *data, size_t bytes);
-/* m: the speculative margin, the gap up to which a pair gets contacts: the sum of the tolerances, and an upper bound
- * of the models' approach before the next test. */
-double mcd_pairMargin(const McdModelPair *p);
-double mcd_pairMarginInRound(const McdModelPair *p); /* for models that have been compared in this round */
-/* mcd_pairMargin for two parts of aggregates: their origins also move because the models rotate. */
-double mcd_childMargin(const McdModelPair *p, const McdGeometryInstance *child1, const McdGeometryInstance *child2);
+/* The speculative margin, the gap up to which a pair gets contacts: the sum of the tolerances, and an upper bound of
+ * the models' approach before the next test. */
+McdReach mcd_pairReach(const McdModelPair *p);
+McdReach mcd_pairReachInRound(const McdModelPair *p); /* for models that have been compared in this round */
+/* mcd_pairReach for two parts of aggregates: their origins also move because the models rotate. */
+McdReach mcd_childReach(const McdModelPair *p, const McdGeometryInstance *child1, const McdGeometryInstance *child2);
 /* m: the displacement of model1 relative to model2 until the next test, at their current velocities; 0 for fast
  * models, which get contacts of the current overlap only. */
 void mcd_pairDisplacement(const McdModelPair *p, double displacement[3]);

@@ -32,37 +32,37 @@ static int convexIntersect(McdModelPair *p, McdIntersectResult *result, int type
 }
 
 static void addManifold(const McdShape *a, const McdShape *b, const double origin[3], McdGeometryInstance *ins1,
-                        McdGeometryInstance *ins2, double margin, McdIntersectResult *result) {
+                        McdGeometryInstance *ins2, McdReach reach, McdIntersectResult *result) {
     McdManifold m;
-    if (mcd_convexManifold(a, b, margin, &m))
+    if (mcd_convexManifold(a, b, reach, &m))
         mcd_resultAdd(result, &m, origin, ins1, ins2);
     result->apart = (MeReal)m.minGap;
 }
 
-MeBool mcd_convexInstances(McdGeometryInstance *ins1, McdGeometryInstance *ins2, double margin,
+MeBool mcd_convexInstances(McdGeometryInstance *ins1, McdGeometryInstance *ins2, McdReach reach,
                            McdIntersectResult *result) {
     double origin[3];
     McdShape a, b;
     if (!mcd_shapesOf(ins1, ins2, origin, &a, &b))
         return MEFALSE;
-    addManifold(&a, &b, origin, ins1, ins2, margin, result);
+    addManifold(&a, &b, origin, ins1, ins2, reach, result);
     return METRUE;
 }
 
-MeBool mcd_convexModels(McdModelRecord *m1, McdModelRecord *m2, double margin, McdIntersectResult *result) {
+MeBool mcd_convexModels(McdModelRecord *m1, McdModelRecord *m2, McdReach reach, McdIntersectResult *result) {
     double origin[3];
     McdShape a, b;
     mcd_pairOrigin(&m1->instance, &m2->instance, origin);
     if (!mcd_shapeInRound(m1, origin, &a) || !mcd_shapeInRound(m2, origin, &b))
         return MEFALSE;
-    addManifold(&a, &b, origin, &m1->instance, &m2->instance, margin, result);
+    addManifold(&a, &b, origin, &m1->instance, &m2->instance, reach, result);
     return METRUE;
 }
 
 int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *function) {
     McdGeometryInstance *ins1 = &mcd_record(p->model1)->instance, *ins2 = &mcd_record(p->model2)->instance;
-    return mcd_convexInstances(ins1, ins2, mcd_pairMargin(p), result) ? mcd_resultEnd(result)
-                                                                      : mcd_warnNotPlaced(function);
+    return mcd_convexInstances(ins1, ins2, mcd_pairReach(p), result) ? mcd_resultEnd(result)
+                                                                     : mcd_warnNotPlaced(function);
 }
 
 /* mcd_halfSpaceAt with a unit normal; false if the transform is invalid. */
@@ -94,7 +94,7 @@ int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *f
     if (!mcd_shapeOf(isSwapped ? ins2 : ins1, origin, &a) ||
         !unitHalfSpaceAt(mcd_instanceTM(isSwapped ? ins1 : ins2), origin, normal, &offset))
         return mcd_warnNotPlaced(function);
-    if (mcd_planeManifold(&a, normal, offset, mcd_pairMargin(p), &m)) {
+    if (mcd_planeManifold(&a, normal, offset, mcd_pairReach(p), &m)) {
         if (isSwapped)
             mcd_manifoldSwap(&m);
         mcd_resultAdd(result, &m, origin, ins1, ins2);

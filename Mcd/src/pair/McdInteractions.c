@@ -4,7 +4,6 @@
 #include "convex/mcd_kind_i.h"
 #include "model/mcd_motion_i.h"
 #include "surface/mcd_scratch_i.h"
-#include "model/mcd_spread_i.h"
 #include "pair/mcd_pair_i.h"
 
 static MeBool checkPair(const McdModelPair *p, const char *function) {
@@ -366,7 +365,7 @@ static MeBool addConvexContacts(McdModelPair *p, const McdRequest *request, McdI
     const int max = limitContacts(result, request);
     mcd_resultBegin(result, p);
     const MeBool areConvex =
-        mcd_convexModels(mcd_record(p->model1), mcd_record(p->model2), mcd_pairMarginInRound(p), result);
+        mcd_convexModels(mcd_record(p->model1), mcd_record(p->model2), mcd_pairReachInRound(p), result);
     result->contactMaxCount = max;
     if (areConvex)
         mcd_resultEnd(result);

@@ -3,7 +3,6 @@
 #include "pair/mcd_compound_i.h"
 #include "model/mcd_geometries_i.h"
 #include "convex/mcd_kind_i.h"
-#include "model/mcd_spread_i.h"
 #include "pair/mcd_pair_i.h"
 #include <string.h>
 
@@ -135,7 +134,7 @@ static MeBool gatherConvexContacts(ChildPairs *m, McdGeometryInstance *child1, M
         return MEFALSE;
     if (!beginResult(m->data, &result))
         return METRUE;
-    if (!mcd_convexInstances(child1, child2, mcd_childMargin(m->pair, child1, child2), &result))
+    if (!mcd_convexInstances(child1, child2, mcd_childReach(m->pair, child1, child2), &result))
         return MEFALSE;
     m->minGap = MeMIN(m->minGap, result.apart); /* 0 if there are contacts */
     appendResult(m->data, &result, child1, child2);
@@ -145,7 +144,7 @@ static MeBool gatherConvexContacts(ChildPairs *m, McdGeometryInstance *child1, M
 static int MEAPI intersect(McdModelPair *p, McdIntersectResult *result) {
     McdFramework *frame = mcd_record(p->model1)->frame;
     Gathering g = {mcd_scratchAcquire(frame, "McdIntersect"), 0, MeMAX(result->contactMaxCount, 1)};
-    ChildPairs m = {p, (MeReal)mcd_pairMargin(p), gatherContacts, gatherConvexContacts, MEINFINITY, &g};
+    ChildPairs m = {p, (MeReal)mcd_pairReach(p).margin, gatherContacts, gatherConvexContacts, MEINFINITY, &g};
     mcd_resultBegin(result, p);
     if (!g.scratch)
         return 0;

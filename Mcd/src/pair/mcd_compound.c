@@ -347,7 +347,8 @@ static double translationWithCovers(const McdContact *contact, const McdChildMan
 /* Two overlapping parts, and the normals to try. */
 typedef struct Overlap {
     McdShape shape[2];
-    double origin[3], margin;
+    double origin[3];
+    McdReach reach;
     double across[2][3]; /* unit: from the other part, orthogonal to the line from each part to its cover */
 } Overlap;
 
@@ -408,7 +409,7 @@ static void setAcross(const McdChildManifold *m, int side, Overlap *e) {
 static MeBool beginOverlap(const McdModelPair *p, const McdChildManifold *m, Overlap *e) {
     if (!mcd_shapesOf(m->child[0], m->child[1], e->origin, &e->shape[0], &e->shape[1]))
         return MEFALSE;
-    e->margin = mcd_childMargin(p, m->child[0], m->child[1]);
+    e->reach = mcd_childReach(p, m->child[0], m->child[1]);
     setAcross(m, 0, e);
     setAcross(m, 1, e);
     return METRUE;
@@ -439,7 +440,7 @@ static MeBool addExposedManifold(const McdModelPair *p, McdScratch *scratch, int
     made->first = count;
     for (int i = 0; i < directions && e.shape[0].rounding + e.shape[1].rounding - direction[i].separation < limit;
          i++) {
-        if (!mcd_manifoldAlong(&e.shape[0], &e.shape[1], direction[i].normal, direction[i].separation, e.margin,
+        if (!mcd_manifoldAlong(&e.shape[0], &e.shape[1], direction[i].normal, direction[i].separation, e.reach,
                                &points) ||
             !addContacts(&e, &points, scratch, made))
             continue;

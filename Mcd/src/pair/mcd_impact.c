@@ -200,7 +200,7 @@ static void impactOfInstances(Search *s, McdGeometryInstance *a, McdGeometryInst
 MeReal MEAPI McdModelPairImpactTime(McdModelPair *p, const McdMotion motion[2], MeReal maxTime, McdNearParts near) {
     McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     const double ahead = fmax((double)a->lookAhead, (double)b->lookAhead);
-    const double margin = mcd_areFast(a, b) ? mcd_pairMargin(p) : (double)a->tolerance + (double)b->tolerance;
+    const double margin = mcd_areFast(a, b) ? mcd_pairReach(p).margin : (double)a->tolerance + (double)b->tolerance;
     Search s = {.pair = p, .margin = margin, .near = near, .whole = (double)maxTime, .time = (double)maxTime};
     MEASSERT(maxTime >= 0);
     if (!mcd_modelIsPlaced(a) || !mcd_modelIsPlaced(b))

@@ -32,11 +32,11 @@ void mcd_kindRegisterInteractions(McdFramework *frame, const McdKind *kind, cons
  * contacts. */
 int mcd_convexContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
 /* Adds the contacts of two convex instances, and sets result->apart; false: one has no valid transform. */
-MeBool mcd_convexInstances(McdGeometryInstance *ins1, McdGeometryInstance *ins2, double margin,
+MeBool mcd_convexInstances(McdGeometryInstance *ins1, McdGeometryInstance *ins2, McdReach reach,
                            McdIntersectResult *result);
 /* mcd_convexInstances for two models that are convex and have been compared in this round (mcd_shapeInRound); false
  * for others. */
-MeBool mcd_convexModels(McdModelRecord *m1, McdModelRecord *m2, double margin, McdIntersectResult *result);
+MeBool mcd_convexModels(McdModelRecord *m1, McdModelRecord *m2, McdReach reach, McdIntersectResult *result);
 int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *function);
 
 /* ---- times of impact (McdInteractions.c) ---- */

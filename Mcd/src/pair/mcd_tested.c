@@ -189,7 +189,7 @@ static MeBool isStillSeparated(const McdModelPair *p, const McdStand *now) {
     const MeReal rounding =
         8 * ME_EPSILON * (sumOfCoordinates(p->stand.place) + sumOfCoordinates(now->place) + m1->reach);
     return p->stand.apart > 0 && !mcd_areFast(m1, m2) &&
-           relativeDisplacement(&p->stand, now, m1->reach) + (MeReal)mcd_pairMarginInRound(p) + rounding <
+           relativeDisplacement(&p->stand, now, m1->reach) + (MeReal)mcd_pairReachInRound(p).margin + rounding <
                p->stand.apart;
 }
 

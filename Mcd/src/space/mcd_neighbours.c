@@ -73,13 +73,13 @@ static MeBool areInternal(const Surroundings *s, const McdContact *contact, int 
 
 /* Finds the contacts along the face's normal, of the body moved by a shift; none if the body is not above the face. */
 static int manifoldOverFace(const Surroundings *s, const McdSeam *seam, const double face[3], const double shift[3],
-                            double margin, McdManifold *m) {
+                            McdReach reach, McdManifold *m) {
     McdShape body = s->body;
     const McdShape *a = s->side ? &body : &seam->shape, *b = s->side ? &seam->shape : &body;
     double normal[3];
     mcd_scale(normal, face, s->side ? 1 : -1);
     mcd_mad(body.place, body.place, 1, shift);
-    const int count = mcd_manifoldAlong(a, b, normal, mcd_separationAlong(a, b, normal), margin, m);
+    const int count = mcd_manifoldAlong(a, b, normal, mcd_separationAlong(a, b, normal), reach, m);
     for (int i = 0; i < count; i++)
         mcd_mad(m->point[i].position, m->point[i].position, -1, shift);
     return count;
@@ -89,14 +89,14 @@ static int manifoldOverFace(const Surroundings *s, const McdSeam *seam, const do
 static void addAlongFace(const Surroundings *s, const McdSeam *seam, const double face[3], McdIntersectResult *result) {
     static const double none[3] = {0, 0, 0};
     McdGeometryInstance *first = s->side ? s->moving : s->fixed, *second = s->side ? s->fixed : s->moving;
-    const double margin = mcd_childMargin(s->pair, first, second);
+    const McdReach reach = mcd_childReach(s->pair, first, second);
     const int count = result->contactCount;
     double shift[3];
     McdManifold m;
     if (count == result->contactMaxCount)
         return;
-    if (!manifoldOverFace(s, seam, face, none, margin, &m) &&
-        !(mcd_seamGapShift(seam, &s->body, face, shift) && manifoldOverFace(s, seam, face, shift, margin, &m)))
+    if (!manifoldOverFace(s, seam, face, none, reach, &m) &&
+        !(mcd_seamGapShift(seam, &s->body, face, shift) && manifoldOverFace(s, seam, face, shift, reach, &m)))
         return;
     mcd_resultAdd(result, &m, s->pieces.origin, first, second);
     if (first->parent || second->parent)

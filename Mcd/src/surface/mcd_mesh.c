@@ -242,8 +242,10 @@ static MeBool placeQuery(McdMeshQuery *q, McdGeometryInstance *ins1, McdGeometry
 }
 
 static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
+    const McdReach reach = mcd_pairReach(p);
     q->pair = p;
-    q->margin = mcd_pairMargin(p);
+    q->margin = reach.margin;
+    q->approach = reach.approach;
     findDisplacement(q);
     MEASSERT(!(q->margin < 0));
     if (!placeQuery(q, &mcd_record(p->model1)->instance, &mcd_record(p->model2)->instance))

@@ -139,14 +139,32 @@ MeBool mcd_meshAddPoints(McdMeshQuery *q, const McdMeshTriangle *t, const double
     return isAnyAdded;
 }
 
+void mcd_meshAddCap(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3]) {
+    const double extent = q->shape.extent, tilt = mcd_tiltOf((McdReach){q->margin, q->approach}, extent);
+    double back[3], in, out, min = INFINITY;
+    McdCap cap;
+    mcd_scale(back, normal, -1);
+    if (!mcd_mayTilt(tilt) || !mcd_capToward(&q->shape, back, tilt, &cap))
+        return;
+    for (int i = 0; i < cap.count; i++) {
+        McdPolygon one; /* only its first point is set */
+        one.count = 0;
+        appendPoint(&one, cap.point[i], mcd_meshHash((MeU32)cap.corner[i], 1), MEFALSE);
+        if (mcd_meshClipSegment(t, cap.point[i], cap.point[i], MCD_MESH_OVERLAP * extent, &in, &out))
+            mcd_meshAddPoints(q, t, normal, &one, MEFALSE, &min);
+    }
+}
+
 MeBool mcd_meshAddClipped(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], double tolerance) {
     McdPolygon p, clipped;
     double back[3], min = INFINITY;
     mcd_scale(back, normal, -1);
     mcd_polygonFace(&q->shape, back, &p);
     clipToPrism(t, tolerance * q->shape.extent, &p, &clipped);
-    const MeBool isAnyAdded = mcd_meshAddPoints(q, t, normal, &clipped, MEFALSE, &min);
+    MeBool isAnyAdded = mcd_meshAddPoints(q, t, normal, &clipped, MEFALSE, &min);
     mcd_polygonSupport(&q->shape, back, &p);
     clipToPrism(t, tolerance * q->shape.extent, &p, &clipped);
-    return mcd_meshAddPoints(q, t, normal, &clipped, METRUE, &min) || isAnyAdded;
+    isAnyAdded |= mcd_meshAddPoints(q, t, normal, &clipped, METRUE, &min);
+    mcd_meshAddCap(q, t, normal);
+    return isAnyAdded;
 }

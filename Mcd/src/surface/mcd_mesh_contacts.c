@@ -63,7 +63,7 @@ static MeBool intersectTriangle(const McdMeshQuery *q, const McdMeshTriangle *t,
     if (t->isFlat || !overlapsBox(q, t))
         return MEFALSE;
     mcd_triangleShape(t->corner, &triangle);
-    return mcd_convexManifold(&q->shape, &triangle, q->margin, m) > 0;
+    return mcd_convexManifold(&q->shape, &triangle, (McdReach){q->margin, 0}, m) > 0;
 }
 
 /* ---- classification ---------------------------------------------------------------------------------------------- */
@@ -168,8 +168,12 @@ static MeBool addPlaneContacts(McdMeshQuery *q) {
     mcd_polygonFace(&q->shape, back, &p);
     if (addPointsOverTriangles(q, face, &p, MEFALSE, &min)) {
         mcd_polygonSupport(&q->shape, back, &p);
-        if (addPointsOverTriangles(q, face, &p, METRUE, &min))
+        if (addPointsOverTriangles(q, face, &p, METRUE, &min)) {
+            for (int i = 0; i < q->mesh->own; i++)
+                if (q->mesh->triangle[i].isPending)
+                    mcd_meshAddCap(q, &q->mesh->triangle[i], face);
             return METRUE;
+        }
     }
     q->mesh->contactCount = 0;
     return MEFALSE;

@@ -80,7 +80,8 @@ struct McdMeshQuery {
     struct McdScratch *scratch; /* the query's memory */
     McdMesh *mesh;              /* the scratch's */
     McdShape shape;
-    double margin, origin[3];
+    double margin, approach; /* m: McdReach */
+    double origin[3];
     double displacement[3];      /* m, of the shape relative to the mesh until the next query; 0: not known */
     double axis[3][3], place[3]; /* the mesh's frame; place is relative to the origin */
     double low[3], high[3];      /* the shape's box in the mesh's frame, with the margin */

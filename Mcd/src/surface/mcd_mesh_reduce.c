@@ -1,7 +1,7 @@
 /* Reduces the contacts of all triangles to manifolds: clusters with one normal, each of those contacts that support the
  * others. */
 #include "surface/mcd_mesh_stages_i.h"
-#include "model/mcd_spread_i.h"
+#include "convex/mcd_spread_i.h"
 #include <string.h>
 
 MeBool mcd_meshReserveContacts(McdMesh *mesh, int contacts) {
@@ -108,21 +108,43 @@ static int removeCluster(McdMesh *mesh, int *left, double same) {
     return count;
 }
 
-/* Keeps at most `maxCount` of the contacts, chosen by mcd_spread; returns their number. */
-static int keepSpread(McdMesh *mesh, McdMeshContact *contact, int count, int maxCount, double same) {
+static void setSpots(McdMesh *mesh, const McdMeshContact *contact, int count) {
     McdSpot *spot = mesh->spots;
     for (int i = 0; i < count; i++) {
         mcd_copy(spot[i].at, contact[i].position);
         mcd_copy(spot[i].at + 3, contact[i].normal);
         spot[i].separation = contact[i].separation;
     }
-    const int keptCount = mcd_spread(spot, count, maxCount, same, mesh->kept);
-    MEASSERT(keptCount >= 0 && keptCount <= MeMIN(count, maxCount));
+}
+
+/* Moves the chosen contacts (mesh->kept, ascending) to the front. */
+static int keep(const McdMesh *mesh, McdMeshContact *contact, int keptCount) {
     for (int i = 0; i < keptCount; i++) {
         MEASSERT(mesh->kept[i] >= i); /* ascending: nothing is overwritten before it is copied */
         contact[i] = contact[mesh->kept[i]];
     }
     return keptCount;
+}
+
+/* Keeps at most `maxCount` of the contacts, chosen by mcd_spread; returns their number. */
+static int keepSpread(McdMesh *mesh, McdMeshContact *contact, int count, int maxCount, double same) {
+    setSpots(mesh, contact, count);
+    return keep(mesh, contact, mcd_spread(mesh->spots, count, maxCount, same, mesh->kept));
+}
+
+/* Keeps those of a plane that support the others, and those that a tilt brings down. */
+static int keepOfPlane(const McdMeshQuery *q, McdMeshContact *contact, int count, int maxCount, double same) {
+    McdMesh *mesh = q->mesh;
+    const double size = q->shape.extent, tilt = mcd_tiltOf((McdReach){q->margin, q->approach}, size);
+    setSpots(mesh, contact, count);
+    int keptCount = mcd_spread(mesh->spots, count, maxCount, same, mesh->kept);
+    if (q->shape.hull && keptCount < MeMIN(count, MCD_MANIFOLD_POINTS) && mcd_mayTilt(tilt)) {
+        setSpots(mesh, contact, count);
+        keptCount = mcd_spreadForTilt(mesh->spots, count, MCD_MANIFOLD_POINTS, tilt, mcd_mayEnter * size, keptCount,
+                                      mesh->kept);
+        mcd_sortAscending(mesh->kept, keptCount);
+    }
+    return keep(mesh, contact, keptCount);
 }
 
 /* The coordinate of a contact's surface point along a normal. */
@@ -205,8 +227,8 @@ static int addManifolds(const McdMeshQuery *q, int size, int count, double same)
         for (int i = 0; i < size - onPlane; i++)
             if (!isBelowPlane(q, &others[i], left, slack))
                 others[remaining++] = others[i];
-        const int max = isBumpy(left, onPlane, slack) ? BUMPY_POINTS : MCD_MANIFOLD_POINTS;
-        const int keptCount = keepSpread(mesh, left, onPlane, max, same);
+        const int max = isBumpy(left, onPlane, slack) ? BUMPY_POINTS : MCD_FACE_CONTACTS;
+        const int keptCount = keepOfPlane(q, left, onPlane, max, same);
         for (int i = 0; i < keptCount; i++)
             left[i].dims = mcd_regionDims(keptCount);
         memcpy(mesh->merged + count, left, (size_t)keptCount * sizeof *left);

@@ -76,6 +76,8 @@ typedef struct McdPolygon {
 void mcd_polygonFace(const McdShape *shape, const double direction[3], McdPolygon *p);
 /* Sets the polygon to the shape's support point, which need not be on that face. */
 void mcd_polygonSupport(const McdShape *shape, const double direction[3], McdPolygon *p);
+/* Adds the contacts, along a normal, of corners that a tilt may bring down on the triangle. */
+void mcd_meshAddCap(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3]);
 /* Adds a contact to the query's. */
 void mcd_meshAddContact(McdMeshQuery *q, const McdMeshTriangle *t, const double position[3], const double normal[3],
                         double separation, MeU32 feature, MeBool isCut);

@@ -10,7 +10,7 @@
  *     current gap. The narrow phase does not find it, since the nearest feature is still the edge between both
  *     triangles, which has no admissible normal.
  *
- * The displacement is that of the current velocities, as for all speculative contacts (mcd_pairMargin). Other shapes
+ * The displacement is that of the current velocities, as for all speculative contacts (mcd_pairReach). Other shapes
  * touch at points with different displacements; they keep the contacts of their current place. */
 #include "convex/mcd_kind_i.h"
 #include "surface/mcd_mesh_stages_i.h"

@@ -1,6 +1,5 @@
 /* The pool of a framework's scratches: a free list, protected by a spin lock that is held for a few instructions. */
 #include "surface/mcd_scratch_i.h"
-#include "model/mcd_spread_i.h"
 #include <string.h>
 
 static void lock(McdFramework *frame) {

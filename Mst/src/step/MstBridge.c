@@ -3,6 +3,7 @@
 #include "McdGeometryInstance.h"
 #include "McdInteractions.h"
 #include "McdInternal.h"
+#include "MdtWorld.h"
 #include "MdtInternal.h"
 #include "MeAssert.h"
 #include "MeInternal.h"
@@ -263,6 +264,14 @@ static void warnOfSurfaces(const McdModelPairContainer *pairs) {
     }
 }
 
+/* m: by how much a body at rest falls in a step: its velocity changes at the step's start. */
+static double fallWithin(MdtWorldID w, MeReal step) {
+    MeVector3 g = {0, 0, 0};
+    if (w)
+        MdtWorldGetGravity(w, g);
+    return (double)(MeVector3Magnitude(g) * step * step);
+}
+
 /* Objects that callbacks destroyed are removed at the end, once the next change block is open. */
 void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
     McdSpacePairIterator iterator;
@@ -281,6 +290,7 @@ void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
     }
     mst_clearSafeTimes(record);
     record->ahead = McdSpaceGetLookAhead(s);
+    McdFrameworkSetFall(record->frame, fallWithin(w, record->ahead));
     MeProfileStartSection("Pairs", 0);
     McdSpaceEndChanges(s);
     MeProfileEndSection("Pairs");

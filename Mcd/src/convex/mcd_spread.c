@@ -13,7 +13,8 @@
  * and stays there, with twice it small discs rock.
  *
  * Contacts with several normals are compared in six dimensions: a difference of normals counts as a distance. */
-#include "model/mcd_spread_i.h"
+#include "convex/mcd_spread_i.h"
+#include "MeMath.h"
 #include "convex/mcd_vector_i.h"
 #include "MeAssert.h"
 
@@ -201,19 +202,37 @@ static MeBool areAscending(const int *kept, int count) {
     return METRUE;
 }
 
+/* Marks a spot as chosen. */
+static int choose(const Choice *c, int next, int *kept, int keptCount) {
+    kept[keptCount++] = next;
+    addSupport(c, kept, keptCount);
+    c->spot[next].support = -INFINITY; /* not again */
+    return keptCount;
+}
+
 int mcd_spread(McdSpot *spot, int count, int maxCount, double same, int *kept) {
     McdSpot middle;
     int keptCount = 0;
     if (count <= 0 || maxCount <= 0)
         return 0;
     const Choice c = beginChoice(spot, count, &middle);
-    for (int next = firstOf(&c, &middle); next >= 0; next = keptCount < maxCount ? neediestOf(&c, same) : -1) {
-        kept[keptCount++] = next;
-        addSupport(&c, kept, keptCount);
-        spot[next].support = -INFINITY; /* not again */
-    }
+    for (int next = firstOf(&c, &middle); next >= 0; next = keptCount < maxCount ? neediestOf(&c, same) : -1)
+        keptCount = choose(&c, next, kept, keptCount);
     mcd_sortAscending(kept, keptCount);
     MEASSERT(keptCount >= 1 && keptCount <= maxCount && kept[0] >= 0 && kept[keptCount - 1] < count);
     MEVALIDATE(areAscending(kept, keptCount));
+    return keptCount;
+}
+
+int mcd_spreadForTilt(McdSpot *spot, int count, int maxCount, double tilt, double slack, int keptCount, int *kept) {
+    McdSpot middle;
+    MEASSERT(keptCount >= 1 && keptCount <= maxCount && count >= keptCount);
+    Choice c = beginChoice(spot, count, &middle);
+    c.tilt = tilt;
+    c.slack = slack;
+    for (int i = 0; i < keptCount; i++)
+        choose(&c, kept[i], kept, i);
+    for (int next = 0; keptCount < maxCount && (next = neediestOf(&c, 0)) >= 0;)
+        keptCount = choose(&c, next, kept, keptCount);
     return keptCount;
 }
