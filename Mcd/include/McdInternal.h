@@ -233,7 +233,7 @@ MEPUBLIC McdGeometryInstanceID MEAPI McdNearGetInstance(const McdNear *n, int i)
 MEPUBLIC MeBool MEAPI McdNearMeasure(const McdNear *n, int i, const McdCapsule *c, double reach, McdNearGap *gap);
 /** @} */
 
-/** @name Rays side by side, of the wheels of a vehicle
+/** @name Rays and shapes side by side, of the wheels of a vehicle
  *  @{ */
 typedef struct McdRay {
     MeVector3 from, by; /**< finite */
@@ -243,6 +243,15 @@ typedef struct McdRay {
 MEPUBLIC void MEAPI McdSpaceCastRays(McdSpaceID s, const McdRay rays[], int count,
                                      McdLineSegIntersectEnableCallback filter, void *filterData,
                                      McdCastResult results[]);
+typedef struct McdShapeCast {
+    McdGeometryID geometry;
+    MeMatrix4 tm;
+    MeVector3 by; /**< finite */
+} McdShapeCast;
+/** The same for McdSpaceCastGeometry. */
+MEPUBLIC void MEAPI McdSpaceCastGeometries(McdSpaceID s, const McdShapeCast casts[], int count,
+                                           McdLineSegIntersectEnableCallback filter, void *filterData,
+                                           McdCastResult results[]);
 /** @} */
 
 /** @name Kinds of geometries

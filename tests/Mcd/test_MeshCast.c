@@ -100,6 +100,14 @@ TEST(shapes_are_cast_up_to_what_they_touch_first) {
     McdSpaceDestroy(space);
 }
 
+static void assertSameHit(const McdCastResult *a, const McdCastResult *b) {
+    ck_assert(a->model == b->model && a->instance == b->instance && a->element.tag == b->element.tag);
+    ck_assert(a->hasElement == (a->model == model[0]) && a->hasElement == b->hasElement && a->material == b->material);
+    ck_assert(memcmp(&a->fraction, &b->fraction, sizeof a->fraction) == 0);
+    ck_assert(memcmp(a->position, b->position, sizeof a->position) == 0);
+    ck_assert(memcmp(a->normal, b->normal, sizeof a->normal) == 0);
+}
+
 /* Rays of a vehicle, or all over the place; more than are cast at once, and some of no length. */
 TEST(rays_side_by_side_hit_what_each_hits_alone) {
     enum { RAYS = 9 };
@@ -123,17 +131,64 @@ TEST(rays_side_by_side_hit_what_each_hits_alone) {
             ck_assert_int_eq(isHit, all[i].model != 0);
             hits += isHit;
             misses += !isHit;
-            if (!isHit)
-                continue;
-            ck_assert(one.model == all[i].model && one.element.tag == all[i].element.tag);
-            ck_assert(one.hasElement == (one.model == model[0]) && one.hasElement == all[i].hasElement);
-            ck_assert(memcmp(&one.fraction, &all[i].fraction, sizeof one.fraction) == 0);
-            ck_assert(memcmp(one.position, all[i].position, sizeof one.position) == 0);
-            ck_assert(memcmp(one.normal, all[i].normal, sizeof one.normal) == 0);
+            if (isHit)
+                assertSameHit(&one, &all[i]);
         }
     }
     ck_assert_int_gt(hits, QUERIES);
     ck_assert_int_gt(misses, QUERIES);
+    McdSpaceDestroy(space);
+}
+
+/* Shapes of a vehicle, or all over the place; of all types, and some that cannot be cast. */
+TEST(shapes_side_by_side_hit_what_each_hits_alone) {
+    enum { CASTS = 9 };
+    int hits = 0, misses = 0;
+    setUp();
+    for (int n = 0; n < QUERIES; n++) {
+        McdShapeCast cast[CASTS];
+        McdCastResult all[CASTS], one;
+        const int count = n % (CASTS + 1);
+        const double wide = n % 2 ? .5 : 6, far = n % 3 ? 1 : 20;
+        MeMatrix4 at;
+        somewhere(at, 0, 3);
+        for (int i = 0; i < count; i++) {
+            cast[i].geometry = shapeOf((n + i) % SHAPES, uniform(.1, .6));
+            somewhere(cast[i].tm, 0, 3);
+            for (int k = 0; k < 3; k++) {
+                cast[i].tm[3][k] = at[3][k] + (MeReal)uniform(-wide, wide);
+                cast[i].by[k] = n % 7 == k || (n % 5 == 0 && i == 1) ? 0 : (MeReal)uniform(-far, k == 2 ? 0 : far);
+            }
+        }
+        McdSpaceCastGeometries(space, cast, count, 0, 0, all);
+        for (int i = 0; i < count; i++) {
+            const MeBool isHit = McdSpaceCastGeometry(space, cast[i].geometry, (const MeVector4 *)cast[i].tm,
+                                                      cast[i].by, 0, 0, &one) != 0;
+            ck_assert_int_eq(isHit, all[i].model != 0);
+            hits += isHit;
+            misses += !isHit;
+            if (isHit)
+                assertSameHit(&one, &all[i]);
+            McdGeometryDestroy(cast[i].geometry);
+        }
+    }
+    ck_assert_int_gt(hits, QUERIES);
+    ck_assert_int_gt(misses, QUERIES);
+    McdSpaceDestroy(space);
+}
+
+TEST(shapes_that_cannot_be_cast_hit_nothing) {
+    McdShapeCast cast[2];
+    McdCastResult hit[2];
+    setUp();
+    for (int i = 0; i < 2; i++) {
+        cast[i].geometry = i ? shapeOf(0, .5) : McdModelGetGeometry(model[0]);
+        somewhere(cast[i].tm, 2, 2);
+        MeVector3Set(cast[i].by, 0, 0, -9);
+    }
+    McdSpaceCastGeometries(space, cast, 2, 0, 0, hit);
+    assert_warned("McdSpaceCastGeometry: the geometry is not convex");
+    ck_assert(!hit[0].model && hit[1].model);
     McdSpaceDestroy(space);
 }
 

@@ -295,6 +295,7 @@ int MEAPI McdSpaceGetClosest(McdSpaceID space, McdGeometryID g, const MeMatrix4 
 
 typedef struct Cast {
     Query q;
+    double middle[3], half[3]; /* of the shape's box at the start */
     double by[3], fraction;
     McdModelID model;
     ChildGap hit;
@@ -445,12 +446,10 @@ static void castMesh(Cast *c, McdModelID cm, McdGeometryInstance *child) {
 
 /* ---- casts onto models */
 
-static double visitCast(void *context, int proxy, double last) {
-    Cast *c = context;
-    const McdModelID cm = modelOf(&c->q, proxy);
+static void castOntoModel(Cast *c, McdModelID cm) {
     McdShape other;
-    if (!passesFilter(&c->q, cm) || !mcd_modelIsPlaced(mcd_record(cm)))
-        return last;
+    if (!mcd_modelIsPlaced(mcd_record(cm)))
+        return;
     for (McdGeometryInstance *child = firstLeaf(&mcd_record(cm)->instance); child; child = nextLeaf(child)) {
         if (!mcd_instanceIsPlaced(child))
             continue;
@@ -461,6 +460,14 @@ static double visitCast(void *context, int proxy, double last) {
         else if (mcd_shapeOf(child, c->q.origin, &other))
             castOntoShape(c, cm, child, &other);
     }
+}
+
+static double visitCast(void *context, int proxy, double last) {
+    Cast *c = context;
+    const McdModelID cm = modelOf(&c->q, proxy);
+    if (!passesFilter(&c->q, cm))
+        return last;
+    castOntoModel(c, cm);
     return c->fraction;
 }
 
@@ -502,19 +509,31 @@ static void writeCast(const Cast *c, McdCastResult *result) {
     mcd_toReal(result->normal, c->hit.gap.normal);
 }
 
+/* False, with a warning that names the query's function: the shape cannot be cast. */
+static MeBool beginCast(Cast *c, McdGeometryID g, const MeMatrix4 tm, const MeVector3 by) {
+    c->fraction = 1;
+    if (!setQueryShape(&c->q, g, tm))
+        return MEFALSE;
+    mcd_fromReal(c->by, by);
+    for (int i = 0; i < 3; i++) {
+        c->middle[i] = (c->q.min[i] + c->q.max[i]) / 2;
+        c->half[i] = (c->q.max[i] - c->q.min[i]) / 2 * (1 + 8 * (double)ME_EPSILON);
+    }
+    return METRUE;
+}
+
+/* Casts onto each model on the way, nearer ones first. */
+static void castOntoAll(Cast *c) {
+    mcd_spaceCast(c->q.space, c->middle, c->by, c->half, 1, visitCast, c);
+}
+
 int MEAPI McdSpaceCastGeometry(McdSpaceID space, McdGeometryID g, const MeMatrix4 tm, const MeVector3 displacement,
                                McdLineSegIntersectEnableCallback filter, void *filterData, McdCastResult *result) {
-    Cast c = {.q = makeQuery(space, filter, filterData, __func__), .fraction = 1};
-    double middle[3], half[3];
-    if (!checkCast(space, displacement, result, "McdSpaceCastGeometry") || !setQueryShape(&c.q, g, tm))
+    Cast c = {.q = makeQuery(space, filter, filterData, __func__)};
+    if (!checkCast(space, displacement, result, "McdSpaceCastGeometry") || !beginCast(&c, g, tm, displacement))
         return 0;
-    mcd_fromReal(c.by, displacement);
-    for (int i = 0; i < 3; i++) {
-        middle[i] = (c.q.min[i] + c.q.max[i]) / 2;
-        half[i] = (c.q.max[i] - c.q.min[i]) / 2 * (1 + 8 * (double)ME_EPSILON);
-    }
     MeStageBegin(&space->frame->stage, MCD_GUARD_SHAPES);
-    mcd_spaceCast(space, middle, c.by, half, 1, visitCast, &c);
+    castOntoAll(&c);
     if (c.model)
         writeCast(&c, result);
     MeStageEnd(&space->frame->stage, MCD_GUARD_SHAPES);
@@ -552,39 +571,50 @@ int MEAPI McdSpaceCastRay(McdSpaceID space, const MeVector3 from, const MeVector
     return isHit;
 }
 
-/* ---- rays side by side ------------------------------------------------------------------------------------------- */
+/* ---- rays and shapes side by side ------------------------------------------------------------------------------- */
 
-enum { RAY_MODELS = 16 }; /* of more models than these near the rays, each ray searches the space */
+enum { NEAR_MODELS = 16 }; /* if more models than these are near, each ray or shape searches the space */
 
-typedef struct Rays {
+/* The models near several casts, which pass the filter. */
+typedef struct NearCasts {
     Query q;
-    int proxy[RAY_MODELS], count;
+    int proxy[NEAR_MODELS], count;
     MeBool isFull;
-} Rays;
+} NearCasts;
 
-static MeBool visitNearRays(void *context, int proxy) {
-    Rays *r = context;
-    if (!passesFilter(&r->q, modelOf(&r->q, proxy)))
+static MeBool visitNearCasts(void *context, int proxy) {
+    NearCasts *n = context;
+    if (!passesFilter(&n->q, modelOf(&n->q, proxy)))
         return METRUE;
-    r->isFull = r->count == RAY_MODELS;
-    if (!r->isFull)
-        r->proxy[r->count++] = proxy;
-    return !r->isFull;
+    n->isFull = n->count == NEAR_MODELS;
+    if (!n->isFull)
+        n->proxy[n->count++] = proxy;
+    return !n->isFull;
 }
 
-/* Finds the models whose boxes overlap that of all rays. */
-static void findNearRays(Rays *r, const McdRay rays[], int count) {
+static NearCasts makeNear(McdSpaceID space, McdLineSegIntersectEnableCallback filter, void *filterData,
+                          const char *function) {
+    NearCasts n = {.q = makeQuery(space, filter, filterData, function)};
     for (int i = 0; i < 3; i++) {
-        r->q.min[i] = INFINITY;
-        r->q.max[i] = -INFINITY;
-        for (int k = 0; k < count; k++) {
-            const double from = (double)rays[k].from[i], to = from + (double)rays[k].by[i];
-            r->q.min[i] = fmin(r->q.min[i], fmin(from, to));
-            r->q.max[i] = fmax(r->q.max[i], fmax(from, to));
-        }
+        n.q.min[i] = INFINITY;
+        n.q.max[i] = -INFINITY;
     }
-    visitOverlapping(&r->q, r->q.min, r->q.max, visitNearRays, r);
+    return n;
 }
+
+/* Extends the box in which models are near by that from middle - half to middle + half as it moves. */
+static void addPath(NearCasts *n, const double middle[3], const double half[3], const double by[3]) {
+    for (int i = 0; i < 3; i++) {
+        n->q.min[i] = fmin(n->q.min[i], middle[i] - half[i] + fmin(by[i], 0));
+        n->q.max[i] = fmax(n->q.max[i], middle[i] + half[i] + fmax(by[i], 0));
+    }
+}
+
+static void findNear(NearCasts *n) {
+    visitOverlapping(&n->q, n->q.min, n->q.max, visitNearCasts, n);
+}
+
+/* ---- rays */
 
 /* Up to MCD_SEGMENTS of the rays, and the first hit of each; of a ray without one, `model` is null. */
 typedef struct RayGroup {
@@ -607,14 +637,14 @@ static void beginGroup(RayGroup *g, const McdRay rays[], int count) {
     }
 }
 
-static void castOntoModel(const Rays *r, RayGroup *g, int proxy) {
+static void castRaysOntoModel(const NearCasts *n, RayGroup *g, int proxy) {
     static const double still[3] = {0, 0, 0};
-    const McdModelID cm = modelOf(&r->q, proxy);
+    const McdModelID cm = modelOf(&n->q, proxy);
     McdSegment segment[MCD_SEGMENTS];
     McdLineSegIntersectResult hit[MCD_SEGMENTS];
     int number[MCD_SEGMENTS], count = 0;
     for (int i = 0; i < g->count && !mcd_record(cm)->isGone; i++)
-        if (mcd_treeCastBox(&r->q.space->proxy[proxy].fat, g->from[i], g->by[i], still, 1)) {
+        if (mcd_treeCastBox(&n->q.space->proxy[proxy].fat, g->from[i], g->by[i], still, 1)) {
             segment[count] = g->segment[i];
             number[count++] = i;
         }
@@ -627,12 +657,12 @@ static void castOntoModel(const Rays *r, RayGroup *g, int proxy) {
 }
 
 /* Casts rays onto these models, with the answers of McdSpaceCastRay. */
-static void castOntoList(const Rays *r, const McdRay rays[], int count, McdCastResult results[]) {
+static void castRaysOntoList(const NearCasts *n, const McdRay rays[], int count, McdCastResult results[]) {
     for (int from = 0; from < count; from += MCD_SEGMENTS) {
         RayGroup g;
         beginGroup(&g, rays + from, count - from);
-        for (int i = 0; i < r->count; i++)
-            castOntoModel(r, &g, r->proxy[i]);
+        for (int i = 0; i < n->count; i++)
+            castRaysOntoModel(n, &g, n->proxy[i]);
         for (int i = 0; i < g.count; i++)
             if (g.first[i].model)
                 writeRay(&g.first[i], MeVector3Magnitude(rays[from + i].by), &results[from + i]);
@@ -648,16 +678,83 @@ static MeBool areRays(const McdRay rays[], int count) {
 
 void MEAPI McdSpaceCastRays(McdSpaceID space, const McdRay rays[], int count, McdLineSegIntersectEnableCallback filter,
                             void *filterData, McdCastResult results[]) {
-    Rays r = {.q = makeQuery(space, filter, filterData, "McdSpaceCastRay")};
+    static const double point[3] = {0, 0, 0};
+    NearCasts n = makeNear(space, filter, filterData, "McdSpaceCastRay");
     for (int i = 0; i < count; i++)
         results[i].model = 0;
-    if (!mcd_spaceIsReady(space, r.q.function) || !areRays(rays, count))
+    if (!mcd_spaceIsReady(space, n.q.function) || !areRays(rays, count))
         return;
     MeStageBegin(&space->frame->stage, MCD_GUARD_MODELS);
-    findNearRays(&r, rays, count);
-    if (!r.isFull)
-        castOntoList(&r, rays, count, results);
-    for (int i = 0; i < count && r.isFull; i++)
+    for (int i = 0; i < count; i++) {
+        double from[3], by[3];
+        mcd_fromReal(from, rays[i].from);
+        mcd_fromReal(by, rays[i].by);
+        addPath(&n, from, point, by);
+    }
+    findNear(&n);
+    if (!n.isFull)
+        castRaysOntoList(&n, rays, count, results);
+    for (int i = 0; i < count && n.isFull; i++)
         McdSpaceCastRay(space, rays[i].from, rays[i].by, filter, filterData, &results[i]);
     MeStageEnd(&space->frame->stage, MCD_GUARD_MODELS);
+}
+
+/* ---- shapes */
+
+/* Up to MCD_SEGMENTS shapes, and the numbers of their results. */
+typedef struct CastGroup {
+    Cast cast[MCD_SEGMENTS];
+    int number[MCD_SEGMENTS], count;
+} CastGroup;
+
+/* Begins the next shapes that can be cast, from `from` on. Returns where the following ones begin. */
+static int beginCasts(CastGroup *g, const NearCasts *n, const McdShapeCast casts[], int from, int count) {
+    int i = from;
+    for (g->count = 0; i < count && g->count < MCD_SEGMENTS; i++) {
+        Cast *c = &g->cast[g->count];
+        *c = (Cast){.q = makeQuery(n->q.space, n->q.filter, n->q.filterData, n->q.function)};
+        g->number[g->count] = i;
+        g->count += mcd_areInRange(casts[i].by, 3) && beginCast(c, casts[i].geometry, casts[i].tm, casts[i].by);
+    }
+    return i;
+}
+
+static void castGroupOntoModel(CastGroup *g, const NearCasts *n, int proxy) {
+    const McdModelID cm = modelOf(&n->q, proxy);
+    for (int i = 0; i < g->count && !mcd_record(cm)->isGone; i++) {
+        Cast *c = &g->cast[i];
+        if (mcd_treeCastBox(&n->q.space->proxy[proxy].fat, c->middle, c->by, c->half, c->fraction))
+            castOntoModel(c, cm);
+    }
+}
+
+static void castGroup(CastGroup *g, NearCasts *n, McdCastResult results[]) {
+    n->count = 0;
+    for (int i = 0; i < g->count; i++)
+        addPath(n, g->cast[i].middle, g->cast[i].half, g->cast[i].by);
+    findNear(n);
+    for (int i = 0; i < n->count && !n->isFull; i++)
+        castGroupOntoModel(g, n, n->proxy[i]);
+    for (int i = 0; i < g->count; i++) {
+        if (n->isFull)
+            castOntoAll(&g->cast[i]);
+        if (g->cast[i].model)
+            writeCast(&g->cast[i], &results[g->number[i]]);
+    }
+}
+
+void MEAPI McdSpaceCastGeometries(McdSpaceID space, const McdShapeCast casts[], int count,
+                                  McdLineSegIntersectEnableCallback filter, void *filterData, McdCastResult results[]) {
+    for (int i = 0; i < count; i++)
+        results[i].model = 0;
+    if (!mcd_spaceIsReady(space, "McdSpaceCastGeometry"))
+        return;
+    MeStageBegin(&space->frame->stage, MCD_GUARD_SHAPES);
+    for (int i = 0; i < count;) {
+        CastGroup g;
+        NearCasts n = makeNear(space, filter, filterData, "McdSpaceCastGeometry");
+        i = beginCasts(&g, &n, casts, i, count);
+        castGroup(&g, &n, results);
+    }
+    MeStageEnd(&space->frame->stage, MCD_GUARD_SHAPES);
 }

@@ -156,34 +156,38 @@ static void pathOf(const MstVehicle *v, const MstWheel *w, const MdtKeaTransform
     keaScale(path->by, -path->length, path->up);
 }
 
-static MeBool castShape(const MstVehicle *v, const MstWheel *w, const MdtKeaTransformation *pose, const Path *path,
-                        McdCastResult *hit) {
-    double x[3], y[3], z[3];
-    MeMatrix4 tm;
-    const MeVector3 by = {(MeReal)path->by[0], (MeReal)path->by[1], (MeReal)path->by[2]};
-    keaApply(x, pose->R, w->forward);
-    keaApply(z, pose->R, w->axle);
-    keaCross(y, z, x);
-    setAxes(tm, x, y, z, path->start);
-    return McdSpaceCastGeometry(v->universe->space, w->shape, (const MeVector4 *)tm, by, isGround, (void *)(size_t)v,
-                                hit) != 0;
-}
-
-/* Casts each wheel along its path. */
-static void castAll(const MstVehicle *v, const MdtKeaTransformation *pose, const Path path[], McdCastResult hit[]) {
+static void castRays(const MstVehicle *v, const Path path[], McdCastResult hit[]) {
     McdRay ray[MST_VEHICLE_WHEELS];
-    const int count = v->wheelCount;
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < v->wheelCount; i++)
         for (int k = 0; k < 3; k++) {
             ray[i].from[k] = (MeReal)path[i].start[k];
             ray[i].by[k] = (MeReal)path[i].by[k];
         }
-    if (count > 0 && !isShape(v->wheel[0]))
-        McdSpaceCastRays(v->universe->space, ray, count, isGround, (void *)(size_t)v, hit);
+    McdSpaceCastRays(v->universe->space, ray, v->wheelCount, isGround, (void *)(size_t)v, hit);
+}
+
+static void castShapes(const MstVehicle *v, const MdtKeaTransformation *pose, const Path path[], McdCastResult hit[]) {
+    McdShapeCast cast[MST_VEHICLE_WHEELS];
+    for (int i = 0; i < v->wheelCount; i++) {
+        const MstWheel *w = v->wheel[i];
+        double x[3], y[3], z[3];
+        keaApply(x, pose->R, w->forward);
+        keaApply(z, pose->R, w->axle);
+        keaCross(y, z, x);
+        cast[i].geometry = w->shape;
+        setAxes(cast[i].tm, x, y, z, path[i].start);
+        for (int k = 0; k < 3; k++)
+            cast[i].by[k] = (MeReal)path[i].by[k];
+    }
+    McdSpaceCastGeometries(v->universe->space, cast, v->wheelCount, isGround, (void *)(size_t)v, hit);
+}
+
+/* Casts each wheel along its path. */
+static void castAll(const MstVehicle *v, const MdtKeaTransformation *pose, const Path path[], McdCastResult hit[]) {
+    if (v->wheelCount > 0 && isShape(v->wheel[0]))
+        castShapes(v, pose, path, hit);
     else
-        for (int i = 0; i < count; i++)
-            if (!castShape(v, v->wheel[i], pose, &path[i], &hit[i]))
-                hit[i].model = 0;
+        castRays(v, path, hit);
 }
 
 static const MstBridgeRecord *bridgeOf(const MstVehicle *v) {
