@@ -1,4 +1,5 @@
-/* Inside Mcd: how far a convex shape may move before it touches a triangle, by the shape's support function alone. */
+/* Inside Mcd: how far a convex shape may move before it touches a triangle, by its support function alone or in closed
+ * form. */
 #ifndef MCD_CAST_I_H
 #define MCD_CAST_I_H
 
@@ -20,5 +21,9 @@ MeBool mcd_castIsOver(const McdTriangleCast *c, const double point[3]);
 /* A lower bound of the fraction at which the shape touches the triangle, not less than `fraction`, which is one; point:
  * one of the shape at that fraction. INFINITY: not before `last`. */
 double mcd_castBound(const McdTriangleCast *c, double fraction, const double point[3]);
+/* Where the shape first touches the triangle's edges and corners, if it starts apart from the triangle: the fraction,
+ * the point and the normal to the shape. INFINITY: not up to `last`. Of shapes that are served: spheres and cylinders. */
+double mcd_castToBorder(const McdTriangleCast *c, double point[3], double normal[3]);
+MeBool mcd_castServesBorder(const McdShape *s);
 
 #endif

@@ -358,6 +358,7 @@ typedef struct MeshCast {
     McdMeshPath *path;
     McdModelID model;
     McdGeometryInstance *child;
+    MeBool servesBorder; /* mcd_castServesBorder */
 } MeshCast;
 
 static MeBool isFromBehind(const Cast *c, const McdMeshTriangle *t) {
@@ -410,8 +411,23 @@ static double boundOf(const MeshCast *m, const McdMeshTriangle *t) {
     const double fraction = mcd_castToPlane(&cast, point, normal);
     if (fraction > cast.last || (fraction > 0 && mcd_castIsOver(&cast, point)))
         return INFINITY;
-    const double bound = mcd_castBound(&cast, fraction, point);
+    const double bound = fraction > 0 && m->servesBorder ? fraction : mcd_castBound(&cast, fraction, point);
     return bound > 0 && isFromBehind(m->cast, t) ? INFINITY : bound;
+}
+
+/* Finds where the shape touches a triangle that is no hit of visitFace, from a fraction on before which it does not;
+ * false: it does not. */
+static MeBool findTouch(const MeshCast *m, const McdMeshTriangle *t, ChildGap *hit, double *fraction) {
+    McdShape shape;
+    if (*fraction > 0 && m->servesBorder) {
+        const McdTriangleCast cast = triangleCast(m->cast, t);
+        *fraction = mcd_castToBorder(&cast, hit->gap.onShape, hit->gap.normal);
+        mcd_copy(hit->gap.onOther, hit->gap.onShape);
+        hit->gap.distance = 0;
+        return *fraction <= m->cast->fraction;
+    }
+    mcd_triangleShape(t->corner, &shape);
+    return advanceToTouch(m->cast, &shape, hit, fraction);
 }
 
 /* The hits of all other triangles. */
@@ -419,12 +435,8 @@ static MeBool visitTriangle(void *context, const McdMeshTriangle *t) {
     const MeshCast *m = context;
     Cast *c = m->cast;
     ChildGap hit = {.child = m->child, .element = t->element, .isPatch = t->isPatch};
-    McdShape shape;
     double fraction = boundOf(m, t);
-    if (fraction > c->fraction)
-        return METRUE;
-    mcd_triangleShape(t->corner, &shape);
-    if (!advanceToTouch(c, &shape, &hit, &fraction))
+    if (fraction > c->fraction || !findTouch(m, t, &hit, &fraction))
         return METRUE;
     if (!isFromBehind(c, t) || (fraction == 0 && hit.gap.distance < -touchingGap(c)))
         keepFirstHit(c, m->model, &hit, fraction);
@@ -434,7 +446,7 @@ static MeBool visitTriangle(void *context, const McdMeshTriangle *t) {
 
 static void castMesh(Cast *c, McdModelID cm, McdGeometryInstance *child) {
     McdMeshPath path = {.last = c->fraction};
-    MeshCast m = {c, &path, cm, child};
+    MeshCast m = {c, &path, cm, child, mcd_castServesBorder(&c->q.shape)};
     for (int i = 0; i < 3; i++) {
         path.low[i] = c->q.min[i] - c->q.origin[i] - touchingGap(c);
         path.high[i] = c->q.max[i] - c->q.origin[i] + touchingGap(c);
