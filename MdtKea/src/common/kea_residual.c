@@ -109,6 +109,8 @@ static MeBool mayContradict(const MdtKeaSystem *s, int i) {
  * the row can be fulfilled, and everything if it contradicts others.) */
 static MeBool isUnfulfilledByPass(const MdtKeaSystem *s, int i) {
     const KeaProblemRow *p = &s->work->problem.row[i];
+    if (!s->rows[i].position)
+        return MEFALSE;
     const double required = p->r - p->E * p->p0, left = required - p->Jd - p->E * (p->p - p->p0);
     return fabs(left) > 0.5 * fabs(required) && mayContradict(s, i) &&
            s->parameters.stepsize * fabs(required) > kea_positionTolerance * lengthScaleOf(s, &s->rows[i]);
@@ -132,14 +134,15 @@ static double positionResidual(const MdtKeaSystem *s, int i) {
 
 MeBool kea_isInconsistent(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
-        if (positionResidual(s, i) > kea_positionTolerance * lengthScaleOf(s, &s->rows[i]))
+        if (s->work->problem.row[i].isInconsistent &&
+            positionResidual(s, i) > kea_positionTolerance * lengthScaleOf(s, &s->rows[i]))
             return METRUE;
     return MEFALSE;
 }
 
 MeBool kea_isConflicting(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
-        if (positionResidual(s, i) > roundingOfRow(s, &s->rows[i]))
+        if (s->work->problem.row[i].isInconsistent && positionResidual(s, i) > roundingOfRow(s, &s->rows[i]))
             return METRUE;
     return MEFALSE;
 }

@@ -415,13 +415,18 @@ static void storeForces(MdtKeaSystem *s) {
     }
 }
 
-/* Runs the passes, starting from the last step's forces and accelerations, and computes end velocities. */
+/* Runs the passes of rows that have begun, starting from the last step's accelerations, and computes end velocities. */
 static void solveMotion(MdtKeaSystem *s) {
-    kea_beginRows(s);
     kea_guessMotion(s);
     runPasses(s);
     kea_chooseMoveThetas(s);
     kea_balanceMomentum(s);
+}
+
+/* Solves the motion anew, starting from the last step's forces. */
+static void repeatMotion(MdtKeaSystem *s) {
+    kea_beginRows(s);
+    solveMotion(s);
 }
 
 /* Finds the first event, and the motion up to it. A contact that stops sliding needs a second solve, in which its
@@ -433,15 +438,15 @@ static void solveToFirstEvent(MdtKeaSystem *s) {
     MeBool mustRepeat, isNew;
     double event = kea_firstEvent(s, &mustRepeat);
     while (s->report.trembles && kea_closeSlowContacts(s) > 0) {
-        solveMotion(s);
+        repeatMotion(s);
         event = kea_firstEvent(s, &mustRepeat);
     }
     if (mustRepeat) {
-        solveMotion(s);
+        repeatMotion(s);
         event = kea_firstEvent(s, &isNew);
         if (event > h) {
             kea_releaseFriction(s);
-            solveMotion(s);
+            repeatMotion(s);
         }
     }
     s->report.event = keaMin(event, h);
