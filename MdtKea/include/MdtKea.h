@@ -170,6 +170,7 @@ typedef struct MdtKeaRow {
     MeBool moves;    /**< contacts: the lever arms change within the step (MdtKeaMove) */
     MeBool rolls;    /**< contacts: and the point is on a round side, a rim or a vertex of a body that rotates */
     MeBool isOpen;   /**< contacts in a timed step: the contact has a gap or separates, and does not act */
+    MeBool isFixed;  /**< of a joint: J and the bounds are the same at all poses (MdtKeaJacobianFn) */
     MeBool position; /**< the row constrains φ at the end of the step (MdtKeaErrorFn); else the velocity */
     MeBool
         isSplit; /**< exact solver: the row has more bodies, those of the next row, whose isTail is set. That row has J,

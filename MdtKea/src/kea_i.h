@@ -148,6 +148,7 @@ typedef struct MdtKeaWork {
     MeBool hasLoops;          /* joints form a loop */
     MeBool isInconsistent;    /* joints contradict each other: some keep a residual above the tolerance */
     MeBool hasJoints;         /* there are rows other than those of contacts (kea_beginRows) */
+    MeBool areRowsFixed;      /* there are rows, and all of them are MdtKeaRow.isFixed */
     MeBool usesTangentAnswer; /* the answer is tangentU, tangentP: symmetric passes did not improve it */
 } MdtKeaWork;
 
@@ -254,6 +255,11 @@ void kea_moveVelocity(const MdtKeaSystem *s, int body, MeBool byEnd, double move
 /* Sets load and metric of the inner problem: the residual of momentum without rows, and its derivative with respect to
  * u, made symmetric and positive definite. */
 void kea_linearizeBodies(MdtKeaSystem *s);
+/* Whether kea_linearizeBodies and kea_linearizeRows keep the metric and the effective masses, since the factors of the
+ * first pass are kept: those of rows that are fixed change with the orientation of bodies alone. */
+static inline MeBool kea_keepsMetric(const MdtKeaSystem *s) {
+    return s->work->problem.isChord && s->work->problem.isFactored;
+}
 /* Sets the exact, unsymmetric derivative of the momentum, for the tangent problem; after kea_linearizeBodies. */
 void kea_differentiateBodies(MdtKeaSystem *s);
 /* Computes end velocities from the impulses, so that momentum is conserved exactly even if passes have not

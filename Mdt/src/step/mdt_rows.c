@@ -185,6 +185,7 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
         else
             subtractRate(worldRate(&j->worldVelocity, &rows[r]), &rows[r]);
         rows[r].owner = owner;
+        rows[r].isFixed = j->type->keepsRows;
         rows[r].force = isWarm ? j->warm[r] : rows[r].force;
         rows[r].ripple = isWarm ? j->ripple[r] : 0;
     }

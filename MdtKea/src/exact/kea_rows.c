@@ -222,10 +222,12 @@ static double startingBound(const MdtKeaSystem *s, const MdtKeaRow *row) {
 void kea_beginRows(MdtKeaSystem *s) {
     const double h = s->parameters.stepsize;
     s->work->hasJoints = MEFALSE;
+    s->work->areRowsFixed = s->numRows > 0;
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         KeaProblemRow *p = &s->work->problem.row[i];
         s->work->hasJoints |= row->contact < 0;
+        s->work->areRowsFixed = s->work->areRowsFixed && row->isFixed;
         MEASSERT(row->body[0] < s->numBodies && row->body[1] < s->numBodies);
         MEASSERT(row->body[0] != row->body[1] || row->isTail); /* of a mover only */
         MEASSERT(!(row->softness < 0) && (row->normal >= 0 || row->isForced || !(row->lower > row->upper)));
@@ -275,19 +277,24 @@ void kea_admitContacts(MdtKeaSystem *s) {
         useBackwardEuler(s, row);
         admitted++;
     }
-    if (admitted > 0)
-        spreadTheta(s);
+    if (admitted == 0)
+        return;
+    spreadTheta(s);
+    s->work->problem.isFactored = s->work->problem.isFactored && !s->work->problem.isChord; /* θ is in the metric */
 }
 
 /* ---- every pass ---- */
 
 void kea_refreshRows(MdtKeaSystem *s, const MdtKeaTransformation poses[], MeBool withBounds) {
     kea_evaluateJacobians(s, poses, poses == s->work->meanPose ? 0.5 : 1);
-    for (int i = 0; i < s->numRows; i++)
+    for (int i = 0; i < s->numRows; i++) {
+        if (s->rows[i].isFixed)
+            continue;
         if (s->rows[i].contact < 0)
             kea_copyJacobian(s, &s->work->problem.row[i], s->rows[i].J);
-    for (int i = 0; withBounds && i < s->numRows; i++)
-        copyBounds(&s->work->problem.row[i], &s->rows[i], s->parameters.stepsize);
+        if (withBounds)
+            copyBounds(&s->work->problem.row[i], &s->rows[i], s->parameters.stepsize);
+    }
 }
 
 /* Whether at least one body of the row is tied, and all are moved by v⁺. */
@@ -416,7 +423,8 @@ static void equalizeN(KeaProblemRow *a, KeaProblemRow *b) {
 void kea_linearizeRows(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     kea_linearizeBends(s);
-    kea_problemSetEffectiveMasses(q);
+    if (!kea_keepsMetric(s))
+        kea_problemSetEffectiveMasses(q);
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
         KeaProblemRow *p = &q->row[i];

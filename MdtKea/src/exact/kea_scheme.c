@@ -199,7 +199,7 @@ static void gatherStiffness(MdtKeaSystem *s) {
         memset(q->metric[b].angular, 0, sizeof q->metric[b].angular);
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        if (!row->position && !row->spring)
+        if ((!row->position && !row->spring) || row->isFixed)
             continue;
         for (int k = 0; k < 2; k++) {
             double P[3];
@@ -296,7 +296,7 @@ void kea_differentiateBodies(MdtKeaSystem *s) {
     }
     for (int i = 0; i < s->numRows; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        for (int k = 0; k < 2 && (row->position || row->spring); k++) {
+        for (int k = 0; k < 2 && (row->position || row->spring) && !row->isFixed; k++) {
             const int b = row->body[k];
             double P[3];
             if (b < 0)
@@ -311,12 +311,13 @@ void kea_differentiateBodies(MdtKeaSystem *s) {
 
 void kea_linearizeBodies(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
+    for (int i = 0; i < s->numBodies; i++)
+        setMomentumResidual(s->bodies[i], &s->work->body[i], s->predicted[i].lin, &s->work->end[i], q->load[i]);
+    if (kea_keepsMetric(s))
+        return;
     gatherStiffness(s);
-    for (int i = 0; i < s->numBodies; i++) {
-        const KeaBody *b = &s->work->body[i];
-        setMomentumResidual(s->bodies[i], b, s->predicted[i].lin, &s->work->end[i], q->load[i]);
-        setBodyMetric(s->bodies[i], b, &q->metric[i]);
-    }
+    for (int i = 0; i < s->numBodies; i++)
+        setBodyMetric(s->bodies[i], &s->work->body[i], &q->metric[i]);
 }
 
 void kea_balanceMomentum(MdtKeaSystem *s) {

@@ -10,7 +10,8 @@
  * do; if they form loops with friction, none.
  *
  * A pass is at once a Newton iteration for the geometry, a proximal step for rigid rows, and an update of the friction
- * bounds. If the last step's answer is within the tolerances, there is no pass and no factorization.
+ * bounds. If the last step's answer is within the tolerances, there is no pass and no factorization. Where all rows are
+ * fixed, as those of vehicles' wheels, passes but the first keep metric and factors.
  */
 #include "kea_i.h"
 #include "MeAssert.h"
@@ -218,6 +219,7 @@ static Passes beginPasses(MdtKeaSystem *s) {
     const KeaResiduals unknown = {.worst = HUGE_VAL};
     KeaProblem *q = &s->work->problem;
     q->hasTangent = mayBeTangent(s);
+    q->isChord = s->work->areRowsFixed && !q->hasTangent;
     q->isFactored = MEFALSE;
     q->sweptPasses =
         q->sweptPasses > 1 ? q->sweptPasses : 1; /* at least one: timed steps are solved up to three times */
@@ -312,7 +314,7 @@ static MeBool isLastPass(MdtKeaSystem *s, Passes *p) {
         return METRUE;
     p->isLimited = q->counts.isLimited = q->counts.isLimited || isFrictionSpent;
     const MeBool isEnough =
-        p->isRefined || (kea_isConverged(&p->e) && !(q->isFactored && p->e.worst > kea_refinedEnough));
+        p->isRefined || (kea_isConverged(&p->e) && !(q->isFactored && !q->isChord && p->e.worst > kea_refinedEnough));
     const MeBool isCut = p->isLimited && (s->parameters.mayDecline || kea_isExactEnough(&p->e, kea_sweptMargin) ||
                                           !kea_problemMaySweep(q));
     const MeBool hasRunAway = isnan(p->e.worst) || (isinf(p->e.worst) && isfinite(p->best.worst) && !q->hasFriction);
@@ -336,7 +338,8 @@ static PassResult runPass(MdtKeaSystem *s, Passes *p) {
     if (!isConvergingFast || !kea_problemRefine(q)) {
         if (p->isRefined)
             return PASS_CONVERGED;
-        solveInnerProblem(s, p->pass, p->e.velocity < kea_looseVelocity, isConvergingFast && q->hasTangent);
+        solveInnerProblem(s, p->pass, p->e.velocity < kea_looseVelocity,
+                          q->isChord || (isConvergingFast && q->hasTangent));
     }
     for (int i = 0; i < q->numBodies; i++)
         for (int k = 0; k < 6; k++)
@@ -386,7 +389,7 @@ static void runPasses(MdtKeaSystem *s) {
             p.e.worst = HUGE_VAL;
     }
     const KeaResiduals e = chooseAnswer(s, &p);
-    q->hasTangent = q->isWarm = q->isFactored = MEFALSE;
+    q->hasTangent = q->isWarm = q->isFactored = q->isChord = MEFALSE;
     s->report.conflicting = kea_isConflicting(s);
     s->work->isInconsistent = kea_isInconsistent(s);
     reportMotion(s, &e, p.isLimited);

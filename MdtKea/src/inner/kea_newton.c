@@ -136,11 +136,11 @@ void kea_newtonGradient(KeaProblem *q) {
         kea_addRowForce(q->gradient, &q->row[i], -q->row[i].p);
 }
 
-/* Adds the rounding of a row's force, N s, to the tolerances of its bodies. */
-static void addTolerance(KeaProblem *q, const KeaProblemRow *row, double known) {
-    for (int k = 0; k < (row->isSplit ? 4 : 2); k++)
-        if (row[k / 2].body[k % 2] >= 0)
-            q->tolerance[row[k / 2].body[k % 2]] += row[k / 2].weight[k % 2] * known;
+/* Adds the rounding of a row's force, N s, to the tolerances of its bodies, without its tail. */
+static inline void addTolerance(KeaProblem *q, const KeaProblemRow *row, double known) {
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            q->tolerance[row->body[k]] += row->weight[k] * known;
 }
 
 /* Tolerances include the effect of the rounding of r and J d on p. */
@@ -154,8 +154,12 @@ double kea_newtonError(KeaProblem *q, double step) {
         const double known = kea_newtonTolerance * fabs(row->p) + impulseRoundingOf(row);
         if (known == 0)
             continue; /* no force */
-        kea_addRowForce(q->gradient, row, -row->p);
+        kea_addRecordForce(q->gradient, row, -row->p);
         addTolerance(q, row, known);
+        if (row->isSplit) {
+            kea_addRecordForce(q->gradient, row + 1, -row->p);
+            addTolerance(q, row + 1, known);
+        }
     }
     for (int b = 0; b < q->numBodies; b++) {
         const double *g = q->gradient[b];
@@ -315,7 +319,7 @@ static inline MeBool areWithinBounds(const KeaProblem *q) {
 MeBool kea_newtonFactorize(KeaProblem *q, MeBool coupled) {
     const MeBool unsymmetric = q->isTangent || (coupled && slidesUnderLoad(q));
     fillMatrix(q, unsymmetric);
-    q->isFactored = q->isTangent || (q->isLinear && coupled);
+    q->isFactored = q->isTangent || (q->isLinear && coupled) || q->isChord;
     q->factoredLevel = q->counts.level;
     for (int i = 0; i < q->numRows; i++)
         q->row[i].factored = q->row[i].state;
@@ -541,7 +545,8 @@ static MeBool solveFromConvex(KeaProblem *q) {
 
 MeBool kea_problemRefine(KeaProblem *q) {
     clearSolution(q);
-    if (!(q->hasTangent || q->isLinear) || !q->isFactored || q->factoredLevel != q->counts.level || q->counts.isLimited)
+    const MeBool mayKeep = q->hasTangent || q->isLinear || q->isChord;
+    if (!mayKeep || !q->isFactored || q->factoredLevel != q->counts.level || q->counts.isLimited)
         return MEFALSE;
     q->isTangent = q->hasTangent;
     saveAnswer(q);

@@ -62,7 +62,7 @@ MeBool kea_problemBegin(KeaProblem *q, struct MdtKeaCache *cache) {
     findEdges(q);
     memset(&q->counts, 0, sizeof q->counts);
     q->hasFriction = q->hasBounds = MEFALSE;
-    q->hasTangent = q->isTangent = q->isWarm = q->isFactored = q->isLinear = MEFALSE;
+    q->hasTangent = q->isTangent = q->isWarm = q->isFactored = q->isLinear = q->isChord = MEFALSE;
     for (int i = 0; i < q->numRows; i++) {
         const KeaProblemRow *row = &q->row[i];
         if (row->isTail)

@@ -100,7 +100,8 @@ typedef struct KeaProblem {
     MeBool isTangent;   /* the solve in progress is of the tangent problem */
     MeBool isSingular;  /* the last solve of the tangent problem failed */
     MeBool isLinear;    /* J, T and N are the same in successive solves: factors may be kept */
-    MeBool isFactored;  /* the factors are those of a tangent or linear problem of this step */
+    MeBool isChord;     /* successive solves of the passes differ little but in loads and r: factors are kept, too */
+    MeBool isFactored;  /* the factors are those of a tangent, linear or chord problem of this step */
     int factoredLevel;  /* counts.level of these factors */
     MeBool isWarm;      /* coupled solves start with the states that follow from p */
     int maxIterations;  /* cap on the iterations of all solves together; 0: none */
@@ -200,7 +201,7 @@ double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]);
  * μ p_n of the solution. False: the coupled problem did not converge, and the solution is that of the convex one; or
  * the budget is used up, and the solution is by sweeps. */
 MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
-/* Solves a tangent or linear problem with the factors of the last one. False: states or N have changed, or the solve
+/* Solves a tangent, linear or chord problem with the factors of the last one. False: states or N have changed, or the solve
  * does not converge; then d is 0 and p unchanged. */
 MeBool kea_problemRefine(KeaProblem *q);
 /* The largest |B d + g - Jᵀ p| of a body at d = 0, in tolerances. */
