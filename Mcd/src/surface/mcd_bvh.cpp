@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/AABB.h>
 #include <limits>
@@ -84,6 +86,14 @@ inline Two minOf(Two a, Two b) {
 inline Two maxOf(Two a, Two b) {
     return a > b ? a : b;
 }
+/* Whether all elements of a comparison's result are true, -1. */
+template <typename Flags> inline bool areAll(Flags is) {
+    std::int64_t half[sizeof is / sizeof(std::int64_t)], all = -1;
+    std::memcpy(half, &is, sizeof is);
+    for (const std::int64_t h : half)
+        all &= h;
+    return all == -1;
+}
 
 /* The box of a search, rounded outward to the boxes' precision: the same boxes overlap it. */
 struct Around {
@@ -98,11 +108,16 @@ struct Around {
             high[i] = static_cast<double>(b) > max[i] ? std::nextafter(b, -none) : b;
         }
     }
-    /* Compares all axes without branches: the separating axis is unpredictable. */
+    /* Compares all axes without branches: the separating axis is unpredictable. A box is six coordinates in a row, so
+     * that four from the first on are its minimum and one that is below oo, four to the last its maximum and one that
+     * is above -oo. */
     bool overlaps(const Box &b) const {
-        const Four min = {b.min_[0], b.min_[1], b.min_[2], 0}, max = {0, b.max_[0], b.max_[1], b.max_[2]};
-        const auto is = (min <= high) & (low <= max);
-        return (is[0] & is[1] & is[2] & is[3]) != 0;
+        static_assert(sizeof(Box) == 6 * sizeof(MeReal), "a box is its coordinates");
+        const char *coordinates = reinterpret_cast<const char *>(&b);
+        Four min, max;
+        std::memcpy(&min, coordinates, sizeof min);
+        std::memcpy(&max, coordinates + 2 * sizeof(MeReal), sizeof max);
+        return areAll((min <= high) & (low <= max));
     }
 };
 
