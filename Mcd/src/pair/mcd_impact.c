@@ -118,17 +118,20 @@ static MeBool staysOnOneSide(const Sweep *w, const McdMeshTriangle *t) {
     return (start > reach && end > reach) || (start < -reach && end < -reach);
 }
 
-static MeBool impactOnTriangle(void *context, const McdMeshTriangle *t) {
-    Sweep *w = context;
+static void impactOnTriangle(Sweep *w, const McdMeshTriangle *t) {
     McdShape triangle;
     if (w->path.from > w->search->time || staysOnOneSide(w, t))
-        return METRUE;
+        return;
     w->approach.front = t->flags & kMcdTriangleTwoSided ? NULL : t->normal;
     mcd_triangleShape(t->corner, &triangle);
     mcd_moverInit(&w->approach.other, &triangle, triangle.place);
     keepFirst(w->search, &w->approach, w->path.from, MeMIN(w->path.to, w->search->time));
     w->path.last = w->search->time;
-    return METRUE;
+}
+
+static void impactOnTriangles(void *sweep, McdMeshTriangle t[], int count) {
+    for (int i = 0; i < count; i++)
+        impactOnTriangle(sweep, &t[i]);
 }
 
 static void impactOnSurface(Search *s, int side, const McdShape *shape, McdGeometryInstance *surface) {
@@ -141,8 +144,7 @@ static void impactOnSurface(Search *s, int side, const McdShape *shape, McdGeome
         w.path.high[i] = m.centre[i] + reach;
         w.path.by[i] = m.velocity[i];
     }
-    const McdMeshPathVisit visit = impactOnTriangle;
-    mcd_meshForEachAlong(surface, side ? s->pair->model2 : s->pair->model1, s->origin, &w.path, &visit, 1, &w);
+    mcd_meshForEachAlong(surface, side ? s->pair->model2 : s->pair->model1, s->origin, &w.path, impactOnTriangles, &w);
 }
 
 /* ---- parts ------------------------------------------------------------------------------------------------------- */

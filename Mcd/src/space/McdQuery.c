@@ -369,21 +369,23 @@ static McdTriangleCast triangleCast(const Cast *c, const McdMeshTriangle *t) {
     return (McdTriangleCast){&c->q.shape, t->corner, t->normal, c->by, c->fraction};
 }
 
-/* Where the point that first reaches the triangle's plane does so within the triangle, that is the hit. */
-static MeBool visitFace(void *context, const McdMeshTriangle *t) {
-    const MeshCast *m = context;
-    ChildGap hit = {.child = m->child, .element = t->element, .isPatch = t->isPatch};
+/* Where the point that first reaches the triangle's plane does so within the triangle, that is the hit. Sets the
+ * triangle's reach; INFINITY: it is this hit, or none. */
+static void castOntoFace(const MeshCast *m, McdMeshTriangle *t) {
     const McdTriangleCast cast = triangleCast(m->cast, t);
-    if (isFromBehind(m->cast, t))
-        return METRUE;
-    const double fraction = mcd_castToPlane(&cast, hit.gap.onShape, hit.gap.normal);
-    if (!(fraction > 0 && fraction <= m->cast->fraction) || !mcd_castIsOver(&cast, hit.gap.onShape))
-        return METRUE;
-    hit.gap.distance = 0;
-    mcd_copy(hit.gap.onOther, hit.gap.onShape);
-    keepFirstHit(m->cast, m->model, &hit, fraction);
-    m->path->last = m->cast->fraction;
-    return METRUE;
+    double point[3], normal[3];
+    t->reach = mcd_castToPlane(&cast, point, normal);
+    if (!(t->reach > 0 && t->reach <= m->cast->fraction) || !mcd_castIsOver(&cast, point))
+        return;
+    if (!isFromBehind(m->cast, t)) {
+        ChildGap hit = {.child = m->child, .element = t->element, .isPatch = t->isPatch};
+        mcd_copy(hit.gap.onShape, point);
+        mcd_copy(hit.gap.onOther, point);
+        mcd_copy(hit.gap.normal, normal);
+        keepFirstHit(m->cast, m->model, &hit, t->reach);
+        m->path->last = m->cast->fraction;
+    }
+    t->reach = INFINITY;
 }
 
 /* Whether the box around the shape touches that around the triangle on its way to the first hit. */
@@ -402,20 +404,19 @@ static MeBool doBoxesTouch(const McdMeshPath *path, const McdMeshTriangle *t) {
     return enter <= leave;
 }
 
-/* A fraction before which a triangle that is no hit of visitFace is not touched; INFINITY: it is none at all. */
+/* A fraction before which a triangle that is no hit of castOntoFace is not touched; INFINITY: it is none at all. */
 static double boundOf(const MeshCast *m, const McdMeshTriangle *t) {
-    const McdTriangleCast cast = triangleCast(m->cast, t);
-    double point[3], normal[3];
-    if (!doBoxesTouch(m->path, t))
+    double point[3], normal[3], bound = t->reach;
+    if (bound > m->cast->fraction || !doBoxesTouch(m->path, t))
         return INFINITY;
-    const double fraction = mcd_castToPlane(&cast, point, normal);
-    if (fraction > cast.last || (fraction > 0 && mcd_castIsOver(&cast, point)))
-        return INFINITY;
-    const double bound = fraction > 0 && m->servesBorder ? fraction : mcd_castBound(&cast, fraction, point);
+    if (!(bound > 0 && m->servesBorder)) {
+        const McdTriangleCast cast = triangleCast(m->cast, t);
+        bound = mcd_castBound(&cast, mcd_castToPlane(&cast, point, normal), point);
+    }
     return bound > 0 && isFromBehind(m->cast, t) ? INFINITY : bound;
 }
 
-/* Finds where the shape touches a triangle that is no hit of visitFace, from a fraction on before which it does not;
+/* Finds where the shape touches a triangle that is no hit of castOntoFace, from a fraction on before which it does not;
  * false: it does not. */
 static MeBool findTouch(const MeshCast *m, const McdMeshTriangle *t, ChildGap *hit, double *fraction) {
     McdShape shape;
@@ -423,7 +424,6 @@ static MeBool findTouch(const MeshCast *m, const McdMeshTriangle *t, ChildGap *h
         const McdTriangleCast cast = triangleCast(m->cast, t);
         *fraction = mcd_castToBorder(&cast, hit->gap.onShape, hit->gap.normal);
         mcd_copy(hit->gap.onOther, hit->gap.onShape);
-        hit->gap.distance = 0;
         return *fraction <= m->cast->fraction;
     }
     mcd_triangleShape(t->corner, &shape);
@@ -431,46 +431,59 @@ static MeBool findTouch(const MeshCast *m, const McdMeshTriangle *t, ChildGap *h
 }
 
 /* The hits of all other triangles. */
-static MeBool visitTriangle(void *context, const McdMeshTriangle *t) {
-    const MeshCast *m = context;
+static void castOntoTriangle(const MeshCast *m, const McdMeshTriangle *t) {
     Cast *c = m->cast;
-    ChildGap hit = {.child = m->child, .element = t->element, .isPatch = t->isPatch};
     double fraction = boundOf(m, t);
-    if (fraction > c->fraction || !findTouch(m, t, &hit, &fraction))
-        return METRUE;
+    if (fraction > c->fraction)
+        return;
+    ChildGap hit = {.child = m->child, .element = t->element, .isPatch = t->isPatch};
+    if (!findTouch(m, t, &hit, &fraction))
+        return;
     if (!isFromBehind(c, t) || (fraction == 0 && hit.gap.distance < -touchingGap(c)))
         keepFirstHit(c, m->model, &hit, fraction);
     m->path->last = c->fraction;
-    return METRUE;
+}
+
+static void castOntoTriangles(void *context, McdMeshTriangle t[], int count) {
+    const MeshCast *m = context;
+    for (int i = 0; i < count; i++)
+        castOntoFace(m, &t[i]);
+    for (int i = 0; i < count; i++)
+        castOntoTriangle(m, &t[i]);
 }
 
 static void castMesh(Cast *c, McdModelID cm, McdGeometryInstance *child) {
-    McdMeshPath path = {.last = c->fraction};
+    McdMeshPath path = {.last = c->fraction, .mayPass = METRUE};
     MeshCast m = {c, &path, cm, child, mcd_castServesBorder(&c->q.shape)};
     for (int i = 0; i < 3; i++) {
         path.low[i] = c->q.min[i] - c->q.origin[i] - touchingGap(c);
         path.high[i] = c->q.max[i] - c->q.origin[i] + touchingGap(c);
         path.by[i] = c->by[i];
     }
-    const McdMeshPathVisit visit[2] = {visitFace, visitTriangle};
-    mcd_meshForEachAlong(child, c->q.self, c->q.origin, &path, visit, 2, &m);
+    mcd_meshForEachAlong(child, c->q.self, c->q.origin, &path, castOntoTriangles, &m);
 }
 
 /* ---- casts onto models */
 
-static void castOntoModel(Cast *c, McdModelID cm) {
+static void castOntoChild(Cast *c, McdModelID cm, McdGeometryInstance *child) {
     McdShape other;
-    if (!mcd_modelIsPlaced(mcd_record(cm)))
+    if (mcd_isSurface(child))
+        castMesh(c, cm, child);
+    else if (mcd_isHalfSpace(child))
+        castOntoShape(c, cm, child, 0);
+    else if (mcd_shapeOf(child, c->q.origin, &other))
+        castOntoShape(c, cm, child, &other);
+}
+
+/* Casts several shapes onto a model. */
+static void castOntoModel(Cast *const c[], int count, McdModelID cm) {
+    if (count == 0 || !mcd_modelIsPlaced(mcd_record(cm)))
         return;
     for (McdGeometryInstance *child = firstLeaf(&mcd_record(cm)->instance); child; child = nextLeaf(child)) {
         if (!mcd_instanceIsPlaced(child))
             continue;
-        if (mcd_isSurface(child))
-            castMesh(c, cm, child);
-        else if (mcd_isHalfSpace(child))
-            castOntoShape(c, cm, child, 0);
-        else if (mcd_shapeOf(child, c->q.origin, &other))
-            castOntoShape(c, cm, child, &other);
+        for (int i = 0; i < count; i++)
+            castOntoChild(c[i], cm, child);
     }
 }
 
@@ -479,7 +492,7 @@ static double visitCast(void *context, int proxy, double last) {
     const McdModelID cm = modelOf(&c->q, proxy);
     if (!passesFilter(&c->q, cm))
         return last;
-    castOntoModel(c, cm);
+    castOntoModel(&c, 1, cm);
     return c->fraction;
 }
 
@@ -733,11 +746,14 @@ static int beginCasts(CastGroup *g, const NearCasts *n, const McdShapeCast casts
 
 static void castGroupOntoModel(CastGroup *g, const NearCasts *n, int proxy) {
     const McdModelID cm = modelOf(&n->q, proxy);
+    Cast *cast[MCD_SEGMENTS];
+    int count = 0;
     for (int i = 0; i < g->count && !mcd_record(cm)->isGone; i++) {
         Cast *c = &g->cast[i];
         if (mcd_treeCastBox(&n->q.space->proxy[proxy].fat, c->middle, c->by, c->half, c->fraction))
-            castOntoModel(c, cm);
+            cast[count++] = c;
     }
+    castOntoModel(cast, count, cm);
 }
 
 static void castGroup(CastGroup *g, NearCasts *n, McdCastResult results[]) {

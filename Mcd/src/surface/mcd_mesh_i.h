@@ -20,6 +20,7 @@
 typedef struct McdMeshTriangle {
     double corner[3][3]; /* in the query's coordinates */
     double normal[3];
+    double reach;        /* of casts: the fraction at which the shape reaches its plane */
     double inward[3][3]; /* unit vectors in the plane, orthogonal to the edges; set by mcd_meshFindContacts */
     int vertex[3];       /* numbers of the corners' vertices: equal for equal coordinates */
     MeU32 key[3];        /* hashes of the corners' coordinates in the mesh's frame; set by mcd_meshBuildAdjacency */
@@ -122,13 +123,14 @@ void mcd_meshForEachNear(McdGeometryInstance *ins, McdModelID asker, const doubl
 typedef struct McdMeshPath {
     double low[3], high[3], by[3], last; /* relative to the origin, at time 0 */
     double from, to;                     /* of the piece that is visited */
+    MeBool mayPass; /* a path that is no longer than its box may be visited as one piece, beyond the mesh's box */
 } McdMeshPath;
 /* Visits the triangles near the path of a box, as mcd_meshForEachNear, in pieces one after the other, so that the box
- * around each contains few triangles that are far from it. A triangle may be visited in several pieces. In each, all
- * are visited by visit[0], then all by visit[1], and so on, until one returns false. */
-typedef MeBool (*McdMeshPathVisit)(void *context, const McdMeshTriangle *t);
+ * around each contains few triangles that are far from it. A triangle may be visited in several pieces. A visit is of
+ * all triangles of a piece. */
+typedef void (*McdMeshPathVisit)(void *context, McdMeshTriangle t[], int count);
 void mcd_meshForEachAlong(McdGeometryInstance *ins, McdModelID asker, const double origin[3], McdMeshPath *path,
-                          const McdMeshPathVisit visit[], int visits, void *context);
+                          McdMeshPathVisit visit, void *context);
 /* The signed distance of a convex shape from another part of a model, the nearest points and the normal (to the shape);
  * INFINITY: the part is a surface without triangles within reach. */
 typedef struct McdGap {

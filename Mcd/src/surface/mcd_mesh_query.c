@@ -116,33 +116,38 @@ static MeBool clipToMesh(McdGeometryInstance *ins, const double origin[3], const
     return *enter <= *leave;
 }
 
+/* Visits the triangles near the piece of a path. False, after a fatal error: there is no memory. */
+static MeBool visitPiece(McdGeometryInstance *ins, McdModelID asker, const double origin[3], const McdMeshPath *path,
+                         McdMeshPathVisit visit, void *context) {
+    double low[3], high[3];
+    NearBox near;
+    for (int i = 0; i < 3; i++) {
+        const double from = path->from * path->by[i], to = path->to * path->by[i];
+        low[i] = path->low[i] + MeMIN(from, to);
+        high[i] = path->high[i] + MeMAX(from, to);
+    }
+    if (!beginNear(&near, ins, asker, origin, low, high))
+        return MEFALSE;
+    visit(context, near.q.mesh->triangle, near.q.mesh->count);
+    endNear(&near);
+    return METRUE;
+}
+
 void mcd_meshForEachAlong(McdGeometryInstance *ins, McdModelID asker, const double origin[3], McdMeshPath *path,
-                          const McdMeshPathVisit visit[], int visits, void *context) {
+                          McdMeshPathVisit visit, void *context) {
     enum { MAX_PIECES = 64 };
-    double enter, leave, size[3];
-    if (!clipToMesh(ins, origin, path, &enter, &leave))
-        return;
+    double enter = 0, leave = path->last, size[3];
     mcd_sub(size, path->high, path->low);
-    const double longest = fmax(size[0], fmax(size[1], size[2]));
-    const int pieces = mcd_floorBetween(mcd_length(path->by) * (leave - enter) / longest, 1, MAX_PIECES);
+    const double longest = MeMAX3(size[0], size[1], size[2]), length = mcd_length(path->by);
+    const MeBool isShort = path->mayPass && length * leave < 2 * longest && !mcd_kindOf(ins->geometry)->callsProgram;
+    if (!isShort && !clipToMesh(ins, origin, path, &enter, &leave))
+        return;
+    const int pieces = mcd_floorBetween(length * (leave - enter) / longest, 1, MAX_PIECES);
     for (int n = 0; n < pieces; n++) {
-        double low[3], high[3];
         path->from = enter + (leave - enter) * n / pieces;
         path->to = enter + (leave - enter) * (n + 1) / pieces;
-        if (path->from > path->last)
+        if (path->from > path->last || !visitPiece(ins, asker, origin, path, visit, context))
             return;
-        for (int i = 0; i < 3; i++) {
-            low[i] = path->low[i] + fmin(path->from * path->by[i], path->to * path->by[i]);
-            high[i] = path->high[i] + fmax(path->from * path->by[i], path->to * path->by[i]);
-        }
-        NearBox near;
-        if (!beginNear(&near, ins, asker, origin, low, high))
-            return;
-        MeBool goesOn = METRUE;
-        for (int k = 0; k < visits; k++)
-            for (int i = 0; i < near.q.mesh->count && goesOn; i++)
-                goesOn = visit[k](context, &near.q.mesh->triangle[i]);
-        endNear(&near);
     }
 }
 
