@@ -433,6 +433,11 @@ static void MEAPI runRange(void *context, int item, int worker) {
 void MEAPI MeTeamRunRanges(MeTeam *t, int count, int size, MeTeamRangeWork work, void *context) {
     MEASSERT(size >= 1);
     MEASSERT(count >= 0);
+    if (!t && count <= size) {
+        if (count > 0)
+            work(context, 0, count, 0);
+        return;
+    }
     Ranges ranges = {work, context, count, size};
     MeTeamRun(t, count / size + (count % size > 0), runRange, &ranges);
 }
