@@ -149,7 +149,16 @@ static void moveRestingByEnd(MdtKeaSystem *s) {
     }
 }
 
+static MeBool areAllMovedByU(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numBodies; i++)
+        if (!kea_isMovedByU(s, i))
+            return MEFALSE;
+    return METRUE;
+}
+
 void kea_chooseMoveThetas(MdtKeaSystem *s) {
+    if (areAllMovedByU(s))
+        return;
     moveRestingByEnd(s);
     MeBool isAny = !s->parameters.timed;
     for (int sweep = 0; sweep < KEA_PRESSED_SWEEPS && isAny; sweep++) {

@@ -110,6 +110,17 @@ static MeBool mayStageBeNeeded(const MdtKeaSystem *s) {
     return MEFALSE;
 }
 
+/* Whether the rows are fulfilled at the end poses as well as the passes have fulfilled them, since they are fixed, and
+ * none constrains a position. */
+static MeBool areRowsFulfilled(const MdtKeaSystem *s) {
+    if (!s->work->areRowsFixed || s->report.capped)
+        return MEFALSE;
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].position)
+            return MEFALSE;
+    return METRUE;
+}
+
 /* Whether the stage is needed for any residual: a row rebounds, or a joint's attachments move. */
 static MeBool isStageRequired(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
@@ -261,7 +272,8 @@ static MeBool isDiscontinuity(const MdtKeaSystem *s, double residual) {
 
 void kea_velocityStage(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
-    if (!mayStageBeNeeded(s) && !needsEnergyLimit(s) && !areContactsJammed(s)) {
+    const MeBool mayChange = mayStageBeNeeded(s) && !areRowsFulfilled(s);
+    if (!mayChange && !needsEnergyLimit(s) && !areContactsJammed(s)) {
         kea_keepSpin(s);
         return;
     }
