@@ -63,7 +63,8 @@ static MeBool unitNormalOf(const double corner[3][3], double normal[3]) {
     double e[3][3], longest = 0;
     for (int i = 0; i < 3; i++) {
         mcd_sub(e[i], corner[(i + 1) % 3], corner[i]);
-        longest = fmax(longest, mcd_dot(e[i], e[i]));
+        const double square = mcd_dot(e[i], e[i]);
+        longest = MeMAX(longest, square);
     }
     mcd_cross(normal, e[0], e[1]);
     const double area = mcd_length(normal);

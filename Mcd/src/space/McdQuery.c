@@ -46,25 +46,39 @@ static MeBool passesFilter(const Query *q, McdModelID cm) {
     return cm != q->self && mcd_passesFilter(q->space, cm, q->filter, q->filterData, q->function);
 }
 
+/* Sets the querying shape's box: of a shape that the program knows alone, by its function. */
+static void setQueryBox(Query *q, McdGeometryID g, const MeMatrix4 tm) {
+    if (q->shape.kind->isSampled) {
+        MeVector3 low, high;
+        McdGeometryGetAABB(g, tm, low, high);
+        mcd_fromReal(q->min, low);
+        mcd_fromReal(q->max, high);
+        return;
+    }
+    mcd_shapeBounds(&q->shape, q->min, q->max);
+    for (int i = 0; i < 3; i++) {
+        const double slack = 4 * DBL_EPSILON * (fabs(q->origin[i]) + q->shape.extent);
+        q->min[i] += q->origin[i] - slack;
+        q->max[i] += q->origin[i] + slack;
+    }
+}
+
 /* Sets the querying shape to a geometry at a transform; false, with a warning, if it is not convex or the transform
  * not valid. */
 static MeBool setQueryShape(Query *q, McdGeometryID g, const MeMatrix4 tm) {
-    MeVector3 low, high;
     if (!mcd_geometryType(g, q->function))
         return MEFALSE;
-    if (!mcd_isValidTransform(tm)) {
-        MeWarning(1, "%s: the transform is null, not finite, flat, or beyond %g", q->function, (double)FLT_MAX);
-        return MEFALSE;
+    if (tm)
+        mcd_fromReal(q->origin, tm[3]);
+    if (tm && mcd_shapeAt(g, tm, q->origin, &q->shape)) {
+        setQueryBox(q, g, tm);
+        return METRUE;
     }
-    mcd_fromReal(q->origin, tm[3]);
-    if (!mcd_shapeAt(g, tm, q->origin, &q->shape)) {
+    if (mcd_isValidTransform(tm))
         MeWarning(1, "%s: the geometry is not convex: %s", q->function, McdGeometryGetTypeName(g));
-        return MEFALSE;
-    }
-    McdGeometryGetAABB(g, tm, low, high);
-    mcd_fromReal(q->min, low);
-    mcd_fromReal(q->max, high);
-    return METRUE;
+    else
+        MeWarning(1, "%s: the transform is null, not finite, flat, or beyond %g", q->function, (double)FLT_MAX);
+    return MEFALSE;
 }
 
 /* Iterate over the parts of a model: the leaves of its tree of instances. */

@@ -95,6 +95,19 @@ template <typename Flags> inline bool areAll(Flags is) {
     return all == -1;
 }
 
+/* The smallest coordinate that is not below x. Bits of positive floats are in their order, those of negative ones in
+ * the opposite; the sign is that of x. */
+inline MeReal roundedUp(double x) {
+    MeReal r = static_cast<MeReal>(x);
+    if constexpr (sizeof r == sizeof(std::int32_t)) {
+        std::int32_t bits;
+        std::memcpy(&bits, &r, sizeof r);
+        bits += static_cast<double>(r) < x ? (bits >= 0 ? 1 : -1) : 0;
+        std::memcpy(&r, &bits, sizeof r);
+    }
+    return r;
+}
+
 /* The box of a search, rounded outward to the boxes' precision: the same boxes overlap it. */
 struct Around {
     Four low, high; /* -oo, low; high, oo */
@@ -103,9 +116,8 @@ struct Around {
         low[0] = -none;
         high[3] = none;
         for (int i = 0; i < 3; i++) {
-            MeReal a = static_cast<MeReal>(min[i]), b = static_cast<MeReal>(max[i]);
-            low[i + 1] = static_cast<double>(a) < min[i] ? std::nextafter(a, none) : a;
-            high[i] = static_cast<double>(b) > max[i] ? std::nextafter(b, -none) : b;
+            low[i + 1] = roundedUp(min[i]);
+            high[i] = -roundedUp(-max[i]);
         }
     }
     /* Compares all axes without branches: the separating axis is unpredictable. A box is six coordinates in a row, so

@@ -56,6 +56,24 @@ static MeBool overlapsQuery(const McdMeshQuery *q, const double corner[3][3]) {
     return square <= q->ballRadius * q->ballRadius;
 }
 
+/* Whether the axes are the query's own, as of most grounds. */
+static MeBool areAligned(const double axis[3][3]) {
+    static const double own[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    return memcmp(axis, own, sizeof own) == 0;
+}
+
+/* Sets corners and normal, which are given in the mesh's frame. */
+static void placeTriangle(const McdMeshQuery *q, const double corner[3][3], const double normal[3],
+                          McdMeshTriangle *t) {
+    const double(*axis)[3] = (const double(*)[3])q->axis;
+    for (int i = 0; i < 3; i++) {
+        t->normal[i] = normal[0] * axis[0][i] + normal[1] * axis[1][i] + normal[2] * axis[2][i];
+        for (int k = 0; k < 3; k++)
+            t->corner[i][k] =
+                q->place[k] + corner[i][0] * axis[0][k] + corner[i][1] * axis[1][k] + corner[i][2] * axis[2][k];
+    }
+}
+
 void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *normal, int flags, const int *vertex,
                  McdElementData element) {
     McdMesh *mesh = q->mesh;
@@ -70,12 +88,13 @@ void mcd_meshAdd(McdMeshQuery *q, const double corner[3][3], const double *norma
     if (!mcd_meshReserve(mesh, mesh->count + 1))
         return;
     McdMeshTriangle *t = &mesh->triangle[mesh->count];
-    for (int i = 0; i < 3; i++) {
-        t->normal[i] = own[0] * axis[0][i] + own[1] * axis[1][i] + own[2] * axis[2][i];
-        mcd_copy(mesh->place[3 * mesh->count + i], corner[i]);
-        for (int k = 0; k < 3; k++)
-            t->corner[i][k] =
-                q->place[k] + corner[i][0] * axis[0][k] + corner[i][1] * axis[1][k] + corner[i][2] * axis[2][k];
+    memcpy(mesh->place[3 * mesh->count], corner, 3 * sizeof *corner);
+    if (areAligned(axis)) {
+        mcd_copy(t->normal, own);
+        for (int i = 0; i < 3; i++)
+            mcd_mad(t->corner[i], q->place, 1, corner[i]);
+    } else {
+        placeTriangle(q, corner, own, t);
     }
     if (vertex)
         memcpy(t->vertex, vertex, sizeof t->vertex);
