@@ -418,10 +418,21 @@ static MeBool doBoxesTouch(const McdMeshPath *path, const McdMeshTriangle *t) {
     return enter <= leave;
 }
 
+/* Whether a triangle is behind the plane of the first hit so far, which the shape does not cross before that. Not of
+ * the hit of another model: of hits at one fraction the models' order decides. */
+static MeBool isBehindHit(const MeshCast *m, const McdMeshTriangle *t) {
+    const Cast *c = m->cast;
+    const double slack = touchingGap(c) / 100; /* m: neighbours have corners in the plane, up to rounding */
+    MeBool isBehind = c->model == m->model;
+    for (int i = 0; i < 3 && isBehind; i++)
+        isBehind = mcd_heightOver(t->corner[i], c->hit.gap.onOther, c->hit.gap.normal) <= slack;
+    return isBehind;
+}
+
 /* A fraction before which a triangle that is no hit of castOntoFace is not touched; INFINITY: it is none at all. */
 static double boundOf(const MeshCast *m, const McdMeshTriangle *t) {
     double point[3], normal[3], bound = t->reach;
-    if (bound > m->cast->fraction || !doBoxesTouch(m->path, t))
+    if (bound > m->cast->fraction || isBehindHit(m, t) || !doBoxesTouch(m->path, t))
         return INFINITY;
     if (!(bound > 0 && m->servesBorder)) {
         const McdTriangleCast cast = triangleCast(m->cast, t);
