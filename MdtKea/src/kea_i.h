@@ -376,13 +376,43 @@ static inline void kea_copyBlock(double J[6], const MdtKeaJBlock *block) {
     keaCopy(J, block->lin);
     keaCopy(J + 3, block->ang);
 }
+/* Adds the rate of a record, without its tail, at the end velocities to `rate`. */
+static inline double kea_addEndRate(const MdtKeaSystem *s, const KeaProblemRow *p, double rate) {
+    for (int k = 0; k < 2; k++)
+        if (p->body[k] >= 0)
+            rate += kea_bodyRate(p->J[k], s->work->body[p->body[k]].endVelocity);
+    return rate;
+}
+/* The same with the mean velocities of the step. */
+static inline double kea_addMeanRate(const MdtKeaSystem *s, const KeaProblemRow *p, double rate) {
+    for (int k = 0; k < 2; k++)
+        if (p->body[k] >= 0)
+            rate += kea_bodyRate(p->J[k], s->work->body[p->body[k]].u);
+    return rate;
+}
 /* m/s: rate of row i at the end velocities, with its moving rate. */
-double kea_endRate(const MdtKeaSystem *s, int i);
+static inline double kea_endRate(const MdtKeaSystem *s, int i) {
+    const KeaProblemRow *p = &s->work->problem.row[i];
+    const double rate = kea_addEndRate(s, p, s->work->movingRate[i]);
+    return p->isSplit ? kea_addEndRate(s, p + 1, rate) : rate;
+}
 /* m/s: J u of row i, with the mean velocities of the step. */
-double kea_meanRate(const MdtKeaSystem *s, int i);
+static inline double kea_meanRate(const MdtKeaSystem *s, int i) {
+    const KeaProblemRow *p = &s->work->problem.row[i];
+    const double rate = kea_addMeanRate(s, p, 0);
+    return p->isSplit ? kea_addMeanRate(s, p + 1, rate) : rate;
+}
 /* m per unit of a row's coordinate: 1 for a linear row, the larger radius of gyration of its bodies for an angular
  * one. */
-double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row);
+static inline double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    double size = 0;
+    for (int k = 0; k < 2; k++) {
+        if (row->body[k] >= 0 && keaDot(row->J[k].lin, row->J[k].lin) > 0)
+            return 1;
+        size = row->body[k] >= 0 ? keaMax(size, s->work->body[row->body[k]].size) : size;
+    }
+    return size > 0 ? size : 1; /* both sides of a split row's head or tail may be moved by the program */
+}
 /* m: the smaller radius of gyration of two bodies, the scale of gaps and depths between them. */
 double kea_smallerExtent(const MdtKeaSystem *s, const int body[2]);
 /* Call the owner's functions, if there are any: for Jacobians at the poses after a share of the sub-step; for errors at

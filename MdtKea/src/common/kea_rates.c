@@ -10,44 +10,6 @@ MeBool kea_mayReachBound(const MdtKeaRow *row) {
     return row->force > 0.5 * row->upper || row->force < 0.5 * row->lower;
 }
 
-/* Adds the end rate of a record to `rate`. */
-static inline double addEndRate(const MdtKeaSystem *s, const KeaProblemRow *p, double rate) {
-    for (int k = 0; k < 2; k++)
-        if (p->body[k] >= 0)
-            rate += kea_bodyRate(p->J[k], s->work->body[p->body[k]].endVelocity);
-    return rate;
-}
-
-double kea_endRate(const MdtKeaSystem *s, int i) {
-    const KeaProblemRow *p = &s->work->problem.row[i];
-    const double rate = addEndRate(s, p, s->work->movingRate[i]);
-    return p->isSplit ? addEndRate(s, p + 1, rate) : rate;
-}
-
-/* Adds the mean rate of a record to `rate`. */
-static inline double addMeanRate(const MdtKeaSystem *s, const KeaProblemRow *p, double rate) {
-    for (int k = 0; k < 2; k++)
-        if (p->body[k] >= 0)
-            rate += kea_bodyRate(p->J[k], s->work->body[p->body[k]].u);
-    return rate;
-}
-
-double kea_meanRate(const MdtKeaSystem *s, int i) {
-    const KeaProblemRow *p = &s->work->problem.row[i];
-    const double rate = addMeanRate(s, p, 0);
-    return p->isSplit ? addMeanRate(s, p + 1, rate) : rate;
-}
-
-double kea_lengthOf(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    double size = 0;
-    for (int k = 0; k < 2; k++) {
-        if (row->body[k] >= 0 && keaDot(row->J[k].lin, row->J[k].lin) > 0)
-            return 1;
-        size = row->body[k] >= 0 ? keaMax(size, s->work->body[row->body[k]].size) : size;
-    }
-    return size > 0 ? size : 1; /* both sides of a split row's head or tail may be moved by the program */
-}
-
 double kea_smallerExtent(const MdtKeaSystem *s, const int body[2]) {
     double size = HUGE_VAL;
     for (int k = 0; k < 2; k++)

@@ -17,13 +17,24 @@ enum { IS_OPEN = 1, IS_DAMPED = 2 }; /* of a group, by its root */
 
 /* Whether a row's forces on its two bodies are opposite, or its torques if it has no forces; gears' are not. */
 static MeBool isInternal(const KeaProblemRow *p) {
-    const int first = keaDot(p->J[0], p->J[0]) > 0 || keaDot(p->J[1], p->J[1]) > 0 ? 0 : 3;
     double sum[3];
     if (p->body[0] < 0 || p->body[1] < 0)
         return MEFALSE;
+    const int first = keaDot(p->J[0], p->J[0]) > 0 || keaDot(p->J[1], p->J[1]) > 0 ? 0 : 3;
     for (int k = 0; k < 3; k++)
         sum[k] = p->J[0][first + k] + p->J[1][first + k];
     return keaLength(sum) <= kea_unitRounding * keaLength(p->J[0] + first);
+}
+
+static MeBool isDamped(const MdtKeaSystem *s, int b) {
+    return !s->work->body[b].isFree && kea_isMovedByU(s, b) && s->work->body[b].theta == 1;
+}
+
+static MeBool isAnyDamped(const MdtKeaSystem *s) {
+    for (int b = 0; b < s->numBodies; b++)
+        if (isDamped(s, b))
+            return METRUE;
+    return MEFALSE;
 }
 
 /* Joins the bodies of acting rows (work->parent), and marks the groups (work->activeBody). */
@@ -45,7 +56,7 @@ static void findGroups(MdtKeaSystem *s) {
         if (s->work->body[b].locked)
             flags[kea_rootOf(parent, b)] |= IS_OPEN;
     for (int b = 0; b < s->numBodies; b++)
-        if (!s->work->body[b].isFree && kea_isMovedByU(s, b) && s->work->body[b].theta == 1)
+        if (isDamped(s, b))
             flags[kea_rootOf(parent, b)] |= IS_DAMPED;
 }
 
@@ -129,7 +140,7 @@ static void rotateGroup(MdtKeaSystem *s, int root, const double centre[3], const
 }
 
 void kea_keepSpin(MdtKeaSystem *s) {
-    if (s->parameters.timed)
+    if (s->parameters.timed || !isAnyDamped(s))
         return;
     findGroups(s);
     for (int b = 0; b < s->numBodies; b++) {

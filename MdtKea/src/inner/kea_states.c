@@ -118,16 +118,14 @@ static void saveAffine(KeaProblem *q) {
         q->row[i].affine = q->row[i].p;
 }
 
-/* Solves the linear system of the present states, then clamps p to its bounds. Returns the error of the gradient, in
- * tolerances. */
-static double applyNewtonStep(KeaProblem *q) {
+/* Solves the linear system of the present states, then clamps p to its bounds. */
+static void applyNewtonStep(KeaProblem *q) {
     kea_newtonDirection(q);
     kea_newtonApply(q, 1);
     kea_newtonSetUnclamped(q, 0);
     setForces(q);
     saveAffine(q);
     kea_newtonClamp(q, METRUE);
-    return kea_newtonError(q, 0);
 }
 
 /* Whether the present states are those that the matrix was factored for. */
@@ -147,7 +145,10 @@ MeBool kea_statesRefine(KeaProblem *q) {
         const double before = error;
         setForces(q);
         kea_newtonGradient(q);
-        error = applyNewtonStep(q);
+        applyNewtonStep(q);
+        if (q->isChord) /* the matrix is that of the problem; the next pass measures the answer */
+            return METRUE;
+        error = kea_newtonError(q, 0);
         if (error < 1)
             return METRUE;
         if (!(error < kea_refinedShare * before))
@@ -167,7 +168,8 @@ MeBool kea_statesSolve(KeaProblem *q) {
         if (!kea_problemMaySpend(q, METRUE) || !kea_newtonFactorize(q, METRUE))
             return MEFALSE;
         q->counts.iterations++;
-        if (applyNewtonStep(q) < 1)
+        applyNewtonStep(q);
+        if (kea_newtonError(q, 0) < 1)
             return METRUE;
         const double before = violated;
         violated = chooseStates(q);
