@@ -35,6 +35,17 @@ void mcd_discsSupport(const McdShape *s, const double d[3], double point[3]) {
     mcd_shapePoint(s, across > 0 ? x * k : radius, y * k, discs.height[end], point);
 }
 
+void mcd_discsBounds(const McdShape *s, double low[3], double high[3]) {
+    const Discs discs = discsOf(s);
+    for (int i = 0; i < 3; i++) {
+        const double x = s->axis[0][i], y = s->axis[1][i], z = s->axis[2][i], across = sqrt(x * x + y * y);
+        const double height[2] = {discs.height[0] * z, discs.height[1] * z};
+        const double half[2] = {discs.radius[0] * across, discs.radius[1] * across};
+        low[i] = s->place[i] + MeMIN(height[0] - half[0], height[1] - half[1]);
+        high[i] = s->place[i] + MeMAX(height[0] + half[0], height[1] + half[1]);
+    }
+}
+
 /* ---- faces ------------------------------------------------------------------------------------------------- */
 
 /* The index of the sixteenth of a full turn in which the direction (x, y) lies, counted from x. */

@@ -61,6 +61,7 @@ struct McdKind {
     void (*setShape)(const McdGeometry *g, McdShape *s);
     void (*support)(const McdShape *s, const double direction[3], double point[3]);
     void (*face)(const McdShape *s, const double direction[3], McdFace *f);
+    void (*bounds)(const McdShape *s, double low[3], double high[3]); /* mcd_shapeBounds; null: by `support` */
     double (*radius)(const McdShape *s, const double outward[3], const double point[3]); /* null: the rounding */
     /* The radius of the circle about the shape's z axis that the contact point lies on (McdContactGetRim); 0: none.
      * May be null. */
@@ -104,6 +105,7 @@ void mcd_pointFace(const McdShape *s, const double direction[3], McdFace *f);
 /* Solids of revolution between two discs about z, whose radii may differ: cylinders and cones (mcd_discs.c). */
 void mcd_discsShape(McdShape *s, double lowerRadius, double upperRadius, double length, double low);
 void mcd_discsSupport(const McdShape *s, const double direction[3], double point[3]);
+void mcd_discsBounds(const McdShape *s, double low[3], double high[3]);
 void mcd_discsFace(const McdShape *s, const double direction[3], McdFace *f);
 /* The face of a disc about the shape's z axis, in a direction d of own axes, counter-clockwise seen from the side of
  * z = side. */

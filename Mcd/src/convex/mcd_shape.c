@@ -96,6 +96,10 @@ double mcd_shapeNoise(const McdShape *s) {
 }
 
 void mcd_shapeBounds(const McdShape *s, double low[3], double high[3]) {
+    if (s->kind->bounds) {
+        s->kind->bounds(s, low, high);
+        return;
+    }
     for (int i = 0; i < 3; i++) {
         double along[3] = {0, 0, 0}, point[3];
         along[i] = 1;
