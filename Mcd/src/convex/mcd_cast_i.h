@@ -22,7 +22,7 @@ MeBool mcd_castIsOver(const McdTriangleCast *c, const double point[3]);
  * one of the shape at that fraction. INFINITY: not before `last`. */
 double mcd_castBound(const McdTriangleCast *c, double fraction, const double point[3]);
 /* Where the shape first touches the triangle's edges and corners, if it starts apart from the triangle: the fraction,
- * the point and the normal to the shape. INFINITY: not up to `last`. Of shapes that are served: spheres and cylinders. */
+ * the point and the normal to the shape. INFINITY: not up to `last`. Serves spheres and cylinders. */
 double mcd_castToBorder(const McdTriangleCast *c, double point[3], double normal[3]);
 MeBool mcd_castServesBorder(const McdShape *s);
 

@@ -201,8 +201,8 @@ double kea_energyOf(const KeaMetric *B, const double a[6], const double b[6]);
  * μ p_n of the solution. False: the coupled problem did not converge, and the solution is that of the convex one; or
  * the budget is used up, and the solution is by sweeps. */
 MeBool kea_problemSolve(KeaProblem *q, MeBool coupled);
-/* Solves a tangent, linear or chord problem with the factors of the last one. False: states or N have changed, or the solve
- * does not converge; then d is 0 and p unchanged. */
+/* Solves a tangent, linear or chord problem with the factors of the last one. False: states or N have changed, or the
+ * solve does not converge; then d is 0 and p unchanged. */
 MeBool kea_problemRefine(KeaProblem *q);
 /* The largest |B d + g - Jᵀ p| of a body at d = 0, in tolerances. */
 double kea_problemError(KeaProblem *q);
