@@ -111,6 +111,9 @@ MEPUBLIC int MEAPI MdtBodyGetManifoldCount(const MdtBodyID b);
 /** Wakes a body that the world has put to sleep, not one that the program has disabled. Returns whether it was asleep.
  *  */
 MEPUBLIC MeBool MEAPI MdtBodyWakeIfAsleep(const MdtBodyID b);
+/** Makes a sleeping body a disabled one, which nothing wakes, without a call of the handlers: it will be destroyed.
+ *  While the world's graph is in use nothing is changed; destruction is deferred then. */
+MEPUBLIC void MEAPI MdtBodyEndSleep(const MdtBodyID b);
 
 /** True if the body's last step is its only motion since MdtBodyGetMoves returned @a moves. */
 MEPUBLIC MeBool MEAPI MdtBodyMovedByStep(const MdtBodyID b, unsigned long moves);

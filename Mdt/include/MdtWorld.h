@@ -256,7 +256,8 @@ MEPUBLIC void MEAPI MdtWorldSetTimedContacts(const MdtWorldID w, const int bodie
 MEPUBLIC int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w);
 
 /** Sets the callbacks for bodies that are enabled or disabled: by the program, by falling asleep or by waking; null:
- *  none. A universe freezes and unfreezes collision models by handlers of its own (MstSetWorldHandlers, User Guide
+ *  none. A body that is destroyed while it is enabled counts as disabled, with a call in which MdtBodyIsValid is false;
+ *  a disabled or sleeping one is destroyed without a call. A universe freezes and unfreezes collision models by handlers of its own (MstSetWorldHandlers, User Guide
  *  ch. 5), which are called before these. docs/simulation.md, "Callbacks", lists what they may do. */
 MEPUBLIC void MEAPI MdtWorldSetBodyHandlers(const MdtWorldID w, MdtBodyHandler enabled, MdtBodyHandler disabled);
 

@@ -381,3 +381,97 @@ TEST(handlers_of_the_program_are_called_beside_the_universes) {
     McdModelDynamicsDisable(sleeper);
     ck_assert(woken == 2 && slept == 1 && McdSpaceModelIsFrozen(sleeper));
 }
+
+/* ---- sleepers are destroyed -------------------------------------------------------------------------------------- */
+
+enum { TOWER = 3 };
+static McdModelID tower[TOWER];
+static MdtBodyID towerBody[TOWER];
+static int wakesOf[TOWER], sleepsOf[TOWER], victim, trigger;
+static void (*destroyIt)(McdModelID);
+
+static int indexOf(MdtBodyID b) {
+    int i = 0;
+    while (i < TOWER && towerBody[i] != b)
+        i++;
+    return i;
+}
+
+static void MEAPI countWake(MdtBodyID b) {
+    const int i = indexOf(b);
+    if (i < TOWER)
+        wakesOf[i]++;
+}
+
+static void destroyVictim(void) {
+    McdModelID m = tower[victim];
+    tower[victim] = 0;
+    if (m)
+        destroyIt(m);
+}
+
+static void MEAPI countSleep(MdtBodyID b) {
+    const int i = indexOf(b);
+    if (i < TOWER)
+        sleepsOf[i]++;
+    if (i == trigger && sleepsOf[i] == 1)
+        destroyVictim();
+}
+
+static void destroyModelAndBody(McdModelID m) {
+    MstModelAndBodyDestroy(m);
+}
+static void destroyBodyFirst(McdModelID m) {
+    MdtBodyDestroy(McdModelGetBody(m));
+    McdModelDestroy(m);
+}
+
+/* Boxes upon each other that fall asleep together. */
+static void buildTower(double edge) {
+    makeWorld();
+    MdtWorldSetBodyHandlers(w, countWake, countSleep);
+    memset(towerBody, 0, sizeof towerBody);
+    support = makeFixed(McdBoxCreate(frame, 8, 8, 1), 0, 0, -.5);
+    for (int i = 0; i < TOWER; i++) {
+        tower[i] = makeBox(edge, 0, (i + .5) * edge);
+        towerBody[i] = McdModelGetBody(tower[i]);
+        wakesOf[i] = sleepsOf[i] = 0;
+    }
+}
+
+static void runTower(double h) {
+    for (double t = 0; t < 4; t += h)
+        MstUniverseStep(u, (MeReal)h);
+}
+
+/* The victim was told as asleep and is told nothing more; those above it wake, fall and sleep again. */
+static void checkTower(const char *when) {
+    for (int i = 0; i < TOWER; i++) {
+        const int wakes = i == victim ? 0 : wakesOf[i];
+        ck_assert_msg(wakesOf[i] == wakes && sleepsOf[i] == wakes + 1, "%s, victim %d, trigger %d: body %d: %d, %d",
+                      when, victim, trigger, i, wakesOf[i], sleepsOf[i]);
+        ck_assert_msg(i <= victim || wakesOf[i] >= 1, "%s, victim %d, trigger %d: body %d was not woken", when, victim,
+                      trigger, i);
+    }
+    ck_assert_int_eq(MdtWorldGetEnabledBodies(w), 0);
+    assert_silent();
+}
+
+TEST(handlers_are_not_called_again_for_a_sleeper_that_is_destroyed) {
+    static void (*const ways[])(McdModelID) = {destroyModelAndBody, destroyBodyFirst};
+    static const double edges[] = {.1, 1}, steps[] = {1. / 30, 1. / 120};
+    for (int k = 0; k < 2 * TOWER; k++) {
+        destroyIt = ways[k / TOWER], victim = k % TOWER, trigger = TOWER;
+        buildTower(edges[k % 2]);
+        runTower(steps[k / TOWER]);
+        destroyVictim();
+        runTower(steps[k / TOWER]);
+        checkTower("destroyed by the program");
+    }
+    for (int k = 0; k < 2 * TOWER * TOWER; k++) {
+        destroyIt = ways[k / (TOWER * TOWER)], victim = k % TOWER, trigger = k / TOWER % TOWER;
+        buildTower(edges[k % 2]);
+        runTower(steps[k / TOWER % 2]);
+        checkTower("destroyed by a handler");
+    }
+}

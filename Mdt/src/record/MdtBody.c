@@ -551,6 +551,11 @@ void MEAPI MdtBodyEnable(const MdtBodyID b) {
         mdt_bodyEnable(b);
 }
 
+void MEAPI MdtBodyEndSleep(const MdtBodyID b) {
+    if (!MeStageIsActive(&b->world->stage, MDT_GUARD_GRAPH))
+        endSleep(b);
+}
+
 MeBool MEAPI MdtBodyWakeIfAsleep(const MdtBodyID b) {
     MEASSERT(b);
     const MeBool isAsleep = (b->record.flags & MDT_ASLEEP) != 0;

@@ -192,7 +192,7 @@ void mdt_constraintDeactivate(MdtConstraintID c) {
     c->world->enabledJoints -= mdt_isJoint(c) != 0;
     MEASSERT(c->world->enabledConstraints >= c->world->enabledJoints && c->world->enabledJoints >= 0);
     for (int k = 0; k < 2; k++) /* the body may be resting on it */
-        if (c->side[k].body && (c->side[k].body->record.flags & MDT_ASLEEP))
+        if (c->side[k].body && (c->side[k].body->record.flags & (MDT_ASLEEP | MDT_CONDEMNED)) == MDT_ASLEEP)
             mdt_bodyEnable(c->side[k].body);
 }
 

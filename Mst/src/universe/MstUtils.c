@@ -283,6 +283,8 @@ void MEAPI MstModelAndBodyDestroy(const McdModelID m) {
     if (!mayDestroy(m, "MstModelAndBodyDestroy"))
         return;
     const MdtBodyID b = McdModelGetBody(m);
+    if (b)
+        MdtBodyEndSleep(b);
     destroyModel(m);
     if (b)
         MdtBodyDestroy(b);
