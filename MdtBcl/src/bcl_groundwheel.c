@@ -328,7 +328,7 @@ static void groundRows(const MdtBclConstraint *c, const MdtBclContext *x, MdtKea
     touch(g, &course.mean, &w);
     const double length = lengthOf(&course.start, g->distance);
     groundRow(x, &w, w.n, 1 / w.slope, rows);
-    bcl_makeSpring(rows, length - g->freeLength, g->stiffness, g->damping);
+    bcl_makeSpring(rows, keaMax(length, g->low) - g->freeLength, g->stiffness, g->damping); /* from its stop on */
     rows++->lower = 0;
     if (g->rows & STOP) {
         groundRow(x, &w, w.n, 1 / w.slope, rows);
