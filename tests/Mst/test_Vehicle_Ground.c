@@ -318,6 +318,33 @@ TEST(it_pushes_the_ground_back) {
 enum { TILES = 40 };
 static MeMatrix4 tileTM[TILES];
 
+/* Teleported or made with its wheels or its chassis in the floor it comes out no faster than its springs drive it from
+ * their stops, whatever the step and the depth. */
+TEST(it_is_not_thrown_out_of_the_floor) {
+    static const double depths[] = {.05, .2, .5, .9};
+    for (int i = 0; i < SETUPS; i++)
+        for (int k = 0; k < 4 * 3; k++) {
+            double fastest = 0, highest = 0;
+            setCar(&setups[i]);
+            MdtWorldSetSolver(u->world, (MdtSolver)(k / 4));
+            addSlope(0);
+            putCar(0);
+            drive(0, 0, 0, i % 2);
+            run(k % 2 * 1.);
+            MdtBodySetPosition(body, 0, 0, (MeReal)((.52 - depths[k % 4]) * now.size));
+            for (int n = 0; n < 2 / now.h; n++) {
+                run(now.h);
+                fastest = fmax(fastest, velocity(2));
+                highest = fmax(highest, place(2) - .52 * now.size);
+            }
+            const double rate = 2 * ME_PI * (double)wheels[0].frequency;
+            const double travel = (double)wheels[0].bump + GRAVITY / (rate * rate);
+            ck_assert_msg(fastest < rate * travel && highest < travel, "setup %d, %d: %g m/s, %g m", i, k, fastest,
+                          highest);
+            assert_near(place(2) / now.size, .52, .01);
+        }
+}
+
 TEST(it_does_not_feel_seams) {
     for (int i = 0; i < SETUPS; i++) {
         setCar(&setups[i]);

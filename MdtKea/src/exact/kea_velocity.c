@@ -24,6 +24,12 @@ static MeBool isUnilateral(const MdtKeaRow *row) {
     return (row->lower > -HUGE_VAL) != (row->upper < HUGE_VAL);
 }
 
+/* Whether row i is the normal row of a contact, or a joint's stop. */
+static MeBool isStop(const MdtKeaSystem *s, int i) {
+    const MdtKeaRow *row = &s->rows[i];
+    return row->contact == i || (row->position && isUnilateral(row));
+}
+
 /* Sets E and r of a joint. The error φ⁺ = (1 - γ) φ that is left after the passes continues to be corrected at the rate
  * γ φ / h. */
 static void setJointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
@@ -39,20 +45,19 @@ static void setJointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
 /* Sets row i of the projection, whose unknown is d = v - v⁺. */
 static void setVelocityRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
-    const MeBool isStop = row->contact == i || (row->position && isUnilateral(row));
     p->p0 = p->p;
     p->Jd = p->E = p->r = 0;
     p->isCheckedElsewhere = MEFALSE;
     p->N = (row->position && !isUnilateral(row) ? kea_proximalJoint : kea_proximalLimit) * p->Aii;
     if (row->spring || p->Aii == 0)
         p->isInactive = METRUE;
-    else if (isStop)
+    else if (isStop(s, i))
         p->r = row->drift + row->rebound;
     else if (row->position)
         setJointLaw(s, i, p);
     else
         p->r = row->target, p->E = row->softness;
-    if (row->contact >= 0 ? s->work->problem.row[row->contact].p == 0 : isStop && p->p == 0)
+    if (row->contact >= 0 ? s->work->problem.row[row->contact].p == 0 : isStop(s, i) && p->p == 0)
         p->isInactive = METRUE;
     p->r = row->hop > 0 ? 0 : p->r - kea_endRate(s, i); /* what hops has its rate already */
 }
@@ -99,13 +104,14 @@ static void addVelocities(MdtKeaSystem *s, double (*added)[6]) {
     }
 }
 
-/* Whether the projection can change velocities: a body has θ < 1, a row rebounds, or a contact corrects an overlap. */
+/* Whether the projection can change velocities: a body has θ < 1, a row rebounds, or a contact or stop corrects an
+ * overlap. */
 static MeBool mayStageBeNeeded(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         if (s->work->body[i].theta < 1)
             return METRUE;
     for (int i = 0; i < s->numRows; i++)
-        if (s->work->problem.row[i].p > 0 && (s->rows[i].bounces || (s->rows[i].contact == i && s->rows[i].target > 0)))
+        if (s->work->problem.row[i].p > 0 && (s->rows[i].bounces || (isStop(s, i) && s->rows[i].target > 0)))
             return METRUE;
     return MEFALSE;
 }
