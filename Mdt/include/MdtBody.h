@@ -63,7 +63,8 @@ MEPUBLIC MeBool MEAPI MdtBodyIsMovingTest(const MdtBodyID b, const MdtPartitionP
  *  Transforms are stored as in OpenGL: rows 0-2 are the frame's axes, row 3 its origin.
  *  @{ */
 /** m, world frame, of the frame's origin. The body is there at once: it keeps its velocity, pushes nothing on the way,
- *  and wakes. MdtBodyMoveTo moves a kinematic body instead. */
+ *  and wakes. Joints that this opens close by gamma in each step, without a velocity. MdtBodyMoveTo moves a kinematic
+ *  body instead. */
 MEPUBLIC void MEAPI MdtBodySetPosition(const MdtBodyID b, const MeReal x, const MeReal y, const MeReal z);
 /** m, world frame: the present position of the frame's origin. Default 0. */
 MEPUBLIC void MEAPI MdtBodyGetPosition(const MdtBodyID b, MeVector3 p);

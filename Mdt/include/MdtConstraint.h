@@ -26,7 +26,8 @@ MEPUBLIC void MEAPI MdtConstraintDestroy(const MdtConstraintID c);
 /** True for a live constraint, contact or contact group. Nothing is read through the handle, whose world may be
  *  destroyed. Beyond Karma. */
 MEPUBLIC MeBool MEAPI MdtConstraintIsValid(const MdtConstraintID c);
-/** Lets the constraint act. A constraint without a body gets a warning and stays disabled. */
+/** Lets the constraint act. A constraint without a body gets a warning and stays disabled. A gap closes by gamma in
+ *  each step: its bodies are displaced and get no velocity by that. */
 MEPUBLIC void MEAPI MdtConstraintEnable(const MdtConstraintID c);
 /** Stops the constraint from acting. This wakes its sleeping bodies; so does destroying the constraint. */
 MEPUBLIC void MEAPI MdtConstraintDisable(const MdtConstraintID c);

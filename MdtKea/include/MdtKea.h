@@ -176,6 +176,7 @@ typedef struct MdtKeaRow {
         isSplit; /**< exact solver: the row has more bodies, those of the next row, whose isTail is set. That row has J,
                          arm, position and the bounds 0, and no force; maxRows has room for MdtKeaSPLITROOM more */
     MeBool isTail;
+    MeBool isUnbiased;  /**< position rows: the correction of the error leaves no velocity (split impulse) */
     MeBool backward;    /**< its bodies move with their velocities at the end of the step (θ = 1) */
     MeBool spring;      /**< a damped spring; the target is the rate without damping force; softness is not read */
     double restitution; /**< 0..1, of a contact or a stop */

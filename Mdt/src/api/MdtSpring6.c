@@ -77,6 +77,11 @@ void MEAPI MdtSpring6SetAngularMotor(const MdtSpring6ID j, int axisindex, MeReal
         mdt_setServo(__func__, &s->motor[ANGULAR + axisindex], frequency, dampingRatio, torqueLimit);
 }
 
+/* A rigid direction goes to its target with a velocity, unlike a gap that the program has made otherwise. */
+static void moveByTarget(MdtSpring6ID j) {
+    mdt_jointOfType(j, MdtBclSPRING6, "MdtSpring6SetTargetPosition")->gap = 0;
+}
+
 void MEAPI MdtSpring6SetTargetPosition(const MdtSpring6ID j, const MeVector3 position, const MeVector3 velocity) {
     static const MeReal none[3] = {0, 0, 0};
     Data *s = dataOf(j, __func__);
@@ -87,6 +92,7 @@ void MEAPI MdtSpring6SetTargetPosition(const MdtSpring6ID j, const MeVector3 pos
         return;
     mdt_fromReal(s->position, position);
     mdt_fromReal(s->velocity, v);
+    moveByTarget(j);
 }
 
 void MEAPI MdtSpring6GetTargetPosition(const MdtSpring6ID j, MeVector3 position) {
@@ -97,8 +103,10 @@ void MEAPI MdtSpring6GetTargetPosition(const MdtSpring6ID j, MeVector3 position)
 
 void MEAPI MdtSpring6SetTargetQuaternion(const MdtSpring6ID j, const MeVector4 q, const MeVector3 w) {
     Data *s = dataOf(j, __func__);
-    if (s)
-        mdt_setTargetTurn(__func__, &s->target, q, w);
+    if (!s)
+        return;
+    mdt_setTargetTurn(__func__, &s->target, q, w);
+    moveByTarget(j);
 }
 
 void MEAPI MdtSpring6GetTargetQuaternion(const MdtSpring6ID j, MeVector4 q) {

@@ -57,7 +57,9 @@ typedef struct MdtJoint {
 
     int firstRow, numRows;                                   /* the joint's rows in this step's system */
     double warm[MdtBclGETMAXROWS], ripple[MdtBclGETMAXROWS]; /* N, m/s, of the rows in the last step: warm start */
-    int numWarm;                        /* number of rows in the last step; used if it is the same now */
+    int numWarm;           /* number of rows in the last step; used if it is the same now */
+    double gap, gapBefore; /* size of its errors at the start of this step and of the last one, while it closes after
+                              the program has enabled it or placed a body; HUGE_VAL: unknown; 0: it is not closing */
     MeBool isDegenerate, wasDegenerate; /* it was degenerate (MdtBclConstraint) in this step; in the last one */
     MeBool isDriven;                    /* its motor ran, or its attachment to the world moved, in the last step */
 } MdtJoint;

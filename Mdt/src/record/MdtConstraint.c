@@ -160,10 +160,12 @@ void mdt_constraintDestroy(MdtConstraintID c, const char *caller) {
 }
 
 void mdt_constraintClearWarmStart(MdtConstraintID c) {
-    if (mdt_isJoint(c))
+    if (mdt_isJoint(c)) {
         mdt_asJoint(c)->numWarm = 0;
-    else
+        mdt_asJoint(c)->gap = mdt_asJoint(c)->gapBefore = HUGE_VAL;
+    } else {
         mdt_manifoldClearWarmStart(manifoldOf(c));
+    }
 }
 
 static void activateConstraint(MdtConstraintID c) {

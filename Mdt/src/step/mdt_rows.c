@@ -165,6 +165,19 @@ static void scaleAngularSoftness(const MdtWorld *w, MdtKeaRow rows[], int count)
             rows[r].softness /= length * length;
 }
 
+/* Lets errors that the program has made, by placing bodies or enabling joints, close without a velocity. */
+static void removeBias(const MdtIsland *p, MdtJoint *j, MdtKeaRow rows[]) {
+    double square = 0;
+    if (j->gap == 0)
+        return;
+    for (int r = 0; r < j->numRows; r++) {
+        square += rows[r].position ? rows[r].error * rows[r].error : 0;
+        rows[r].isUnbiased = rows[r].position;
+    }
+    if (p->elapsed == 0)
+        j->gap = sqrt(square);
+}
+
 /* Writes the joint's rows behind those of the system. `owner`: the number by which Kea identifies the joint's rows. */
 static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
     MdtKeaRow *rows = p->kea.rows + p->kea.numRows;
@@ -189,6 +202,7 @@ static void fillJoint(MdtIsland *p, MdtJoint *j, int owner) {
         rows[r].force = isWarm ? j->warm[r] : rows[r].force;
         rows[r].ripple = isWarm ? j->ripple[r] : 0;
     }
+    removeBias(p, j, rows);
     p->kea.numRows += j->numRows;
 }
 

@@ -8,9 +8,19 @@
 
 /* ---- constraints ---- */
 
+/* Whether a joint goes on closing: errors have to shrink. A rigid joint leaves 1 - gamma of them, one that is soft
+ * compared with its bodies' masses more; what stays open is jammed, or its attachments move. */
+static void findClosing(const MdtIsland *p, MdtJoint *j) {
+    static const double minShare = 1. / 16; /* of gamma: of joints whose compliance is 15 times that of their bodies */
+    if (!(j->gap < (1 - minShare * (double)p->world->gamma) * j->gapBefore) && j->gap != HUGE_VAL)
+        j->gap = 0;
+    j->gapBefore = j->gap;
+}
+
 void mdt_unpackBegin(const MdtIsland *p) {
     MdtJoint *j;
     for (int i = 0; (j = mdt_nextJoint(p, &i));) {
+        findClosing(p, j);
         j->wasDegenerate = j->isDegenerate;
         j->isDegenerate = MEFALSE;
         memset(&j->force, 0, sizeof j->force);

@@ -30,13 +30,34 @@ static MeBool isStop(const MdtKeaSystem *s, int i) {
     return row->contact == i || (row->position && isUnilateral(row));
 }
 
+/* Whether the error of a rigid joint or of a stop is large enough for the velocity to matter that closes it. */
+static MeBool isOpen(const MdtKeaSystem *s, const MdtKeaRow *row) {
+    const double error = row->lower == 0 ? keaMax(-row->error, 0) : fabs(row->error);
+    return row->position && (kea_isRigidJoint(row) || isUnilateral(row)) &&
+           error * kea_lengthOf(s, row) > kea_openJoint * kea_smallerExtent(s, row->body);
+}
+
+/* Whether the error of the row's joint closes without a velocity: all of its rows do if one of them is open. */
+static MeBool isUnbiased(const MdtKeaSystem *s, int i) {
+    const MdtKeaRow *row = &s->rows[i];
+    int first = i;
+    if (!row->isUnbiased || !(kea_isRigidJoint(row) || isUnilateral(row)) || s->parameters.pair != MdtKeaPairNone)
+        return MEFALSE;
+    while (first > 0 && s->rows[first - 1].owner == row->owner)
+        first--;
+    for (int k = first; k < s->numRows && s->rows[k].owner == row->owner; k++)
+        if (isOpen(s, &s->rows[k]))
+            return METRUE;
+    return MEFALSE;
+}
+
 /* Sets E and r of a joint. The error φ⁺ = (1 - γ) φ that is left after the passes continues to be corrected at the rate
  * γ φ / h. */
 static void setJointLaw(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     const double gamma = s->parameters.gamma, h = s->parameters.stepsize;
     p->r = row->drift;
-    if (gamma >= 1)
+    if (gamma >= 1 || isUnbiased(s, i))
         return;
     p->E = row->softness / (1 - gamma);
     p->r -= gamma * (s->work->endErrors[i] - h * (row->drift + row->carried)) / ((1 - gamma) * h);
@@ -70,17 +91,20 @@ static void setVelocityMetric(MdtKeaSystem *s, int i) {
     kea_invert(B->inverse, (const double(*)[3])B->angular);
 }
 
-/* Sets the loads of the projection to Jᵀ p_1. */
-static void setVelocityLoads(MdtKeaSystem *s) {
+/* Adds the impulses p_1 of unbiased or of other rows, along their present directions, to the projection's loads. */
+static void addVelocityLoads(MdtKeaSystem *s, MeBool ofUnbiased) {
+    KeaProblem *q = &s->work->problem;
+    for (int i = 0; i < s->numRows; i++)
+        if (isUnbiased(s, i) == ofUnbiased)
+            kea_addRowForce(q->load, &q->row[i], q->row[i].p);
+}
+
+/* The impulses of unbiased rows, which are taken back, have acted along the directions of the mean poses. */
+static void setVelocityProblem(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numBodies; i++)
         memset(q->load[i], 0, sizeof q->load[i]);
-    for (int i = 0; i < s->numRows; i++)
-        kea_addRowForce(q->load, &q->row[i], q->row[i].p);
-}
-
-static void setVelocityProblem(MdtKeaSystem *s) {
-    KeaProblem *q = &s->work->problem;
+    addVelocityLoads(s, METRUE);
     kea_refreshRows(s, s->work->endPose, MEFALSE); /* bounds do not change: p is the impulse of the whole step */
     for (int i = 0; i < s->numBodies; i++)
         setVelocityMetric(s, i);
@@ -89,7 +113,7 @@ static void setVelocityProblem(MdtKeaSystem *s) {
         setVelocityRow(s, i, &q->row[i]);
     kea_disableBends(s);
     kea_problemShareN(q);
-    setVelocityLoads(s);
+    addVelocityLoads(s, MEFALSE);
 }
 
 /* Adds a change of velocities to the end states. */
@@ -104,14 +128,19 @@ static void addVelocities(MdtKeaSystem *s, double (*added)[6]) {
     }
 }
 
-/* Whether the projection can change velocities: a body has θ < 1, a row rebounds, or a contact or stop corrects an
- * overlap. */
+/* Whether the row is the normal row of a contact that overlaps, or a joint or stop that is open. */
+static MeBool isCorrecting(const MdtKeaSystem *s, int i) {
+    const MdtKeaRow *row = &s->rows[i];
+    return row->contact == i ? row->target > 0 : isUnbiased(s, i) || (isUnilateral(row) && isOpen(s, row));
+}
+
+/* Whether the projection can change velocities: a body has θ < 1, a row rebounds, or an error is corrected. */
 static MeBool mayStageBeNeeded(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numBodies; i++)
         if (s->work->body[i].theta < 1)
             return METRUE;
     for (int i = 0; i < s->numRows; i++)
-        if (s->work->problem.row[i].p > 0 && (s->rows[i].bounces || (isStop(s, i) && s->rows[i].target > 0)))
+        if (s->work->problem.row[i].p != 0 && (s->rows[i].bounces || isCorrecting(s, i)))
             return METRUE;
     return MEFALSE;
 }
@@ -127,10 +156,11 @@ static MeBool areRowsFulfilled(const MdtKeaSystem *s) {
     return METRUE;
 }
 
-/* Whether the stage is needed for any residual: a row rebounds, or a joint's attachments move. */
+/* Whether the stage is needed for any residual: a row rebounds, a joint closes without velocity, or its attachments
+ * move. */
 static MeBool isStageRequired(const MdtKeaSystem *s) {
     for (int i = 0; i < s->numRows; i++)
-        if ((s->work->problem.row[i].p > 0 && s->rows[i].bounces) ||
+        if ((s->work->problem.row[i].p > 0 && s->rows[i].bounces) || isUnbiased(s, i) ||
             (s->rows[i].position && !isUnilateral(&s->rows[i]) && s->rows[i].drift != 0))
             return METRUE;
     return MEFALSE;
