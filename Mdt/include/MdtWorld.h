@@ -257,9 +257,9 @@ MEPUBLIC int MEAPI MdtWorldGetTimedContacts(const MdtWorldID w);
 
 /** Sets the callbacks for bodies that are enabled or disabled: by the program, by falling asleep or by waking; null:
  *  none. A body that is destroyed while it is enabled counts as disabled, with a call in which MdtBodyIsValid is false;
- *  a disabled or sleeping one is destroyed without a call. A universe freezes and unfreezes collision models by handlers
- *  of its own (MstSetWorldHandlers, User Guide ch. 5), which are called before these. docs/simulation.md, "Callbacks",
- *  lists what they may do. */
+ *  a disabled or sleeping one is destroyed without a call. A universe freezes and unfreezes collision models by
+ *  handlers of its own (MstSetWorldHandlers, User Guide ch. 5), which are called before these. docs/simulation.md,
+ *  "Callbacks", lists what they may do. */
 MEPUBLIC void MEAPI MdtWorldSetBodyHandlers(const MdtWorldID w, MdtBodyHandler enabled, MdtBodyHandler disabled);
 
 /** @name The cap on the Newton iterations of a partition's step (Karma: pivoting iterations)
