@@ -158,6 +158,7 @@ typedef struct MdtKeaRow {
     double drift;      /**< m/s: the target without that bias: the rate due to moving attachments or a moving world */
     double carried;    /**< m/s: the rate due to a mover alone, with which its pose changes the error, too */
     const MdtKeaVelocity *mover; /**< of a joint's mover, in place of the world; null: none */
+    double turning;              /**< m/s, normal rows: change of the rate in the step as the face of a mover turns */
     double jump; /**< m/s, contacts: change of the rate at the start of the step, by its mover's (MdtKeaMover.jump) */
     double softness; /**< E, 1/kg: compliance (CFM): ε, or the row's own */
     double lower;    /**< N, lower bound of the force; -HUGE_VAL: none */

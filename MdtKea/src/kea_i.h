@@ -333,6 +333,8 @@ typedef struct KeaApproach {
     double acceleration; /* m/s², in the last step */
 } KeaApproach;
 
+/* m/s: by how much the rate of a point changes in the step because it is on the face of a mover that turns. */
+double kea_turningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]);
 /* The approach along a row's direction. */
 KeaApproach kea_approachOfRow(const MdtKeaSystem *s, const MdtKeaRow *row);
 /* The approach of a point along the manifold's normal; arms point from the bodies' centres, or the world's origin, to

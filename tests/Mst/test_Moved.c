@@ -1,5 +1,6 @@
 /* Bodies that the program moves (kinematic), and models without a body that it moves by their transform: lifts,
  * platforms, carousels, belts, doors, a drum, supports of joints. Each by either solver. */
+#include "McdMesh.h"
 #include "MstEvents.h"
 #include "universe.h"
 
@@ -487,4 +488,69 @@ TEST(a_callback_may_make_a_body_a_mover) {
     MdtBodySetKinematic(toChange, MEFALSE);
     universe_step(60);
     assert_near(at(toChange, 2), .25, 1e-3);
+}
+
+/* ---- drums ------------------------------------------------------------------------------------------------------- */
+
+enum { SIDES = 32 };
+
+/* A drum about y, of 32 flat faces, open at its ends, that turns at a rate. */
+static MdtBodyID makeDrum(double radius, double rate) {
+    MeVector3 corner[2 * SIDES];
+    int side[2 * SIDES][3];
+    for (int i = 0; i < 2 * SIDES; i++) {
+        const double angle = 2 * (double)ME_PI * (double)(i / 2) / SIDES;
+        MeVector3Set(corner[i], (MeReal)(radius * cos(angle)), (MeReal)((i % 2 - .5) * radius),
+                     (MeReal)(radius * sin(angle)));
+        const int next = (i / 2 + 1) % SIDES * 2, here = i / 2 * 2;
+        const int first[3] = {here, next, here + 1}, second[3] = {next, next + 1, here + 1}; /* inwards */
+        memcpy(side[i], i % 2 ? second : first, sizeof side[i]);
+    }
+    const McdModelID m = addBox(1, 1, 1, 0, 0, 0);
+    McdModelSetGeometry(m, McdMeshCreate(u->frame, corner, 2 * SIDES, &side[0][0], 2 * SIDES, 0));
+    MdtBodySetKinematic(McdModelGetBody(m), METRUE);
+    MdtBodySetAngularVelocity(McdModelGetBody(m), 0, (MeReal)rate, 0);
+    return McdModelGetBody(m);
+}
+
+/* A box, or a ball, on the middle of a face, with the drum's motion. */
+static MdtBodyID putInDrum(double radius, double rate, double size, MeBool isBall) {
+    const double angle = ME_PI / SIDES, r = radius * cos(angle) - size / 2;
+    const McdGeometryID g = isBall ? McdSphereCreate(u->frame, (MeReal)(size / 2))
+                                   : McdBoxCreate(u->frame, (MeReal)size, (MeReal)size, (MeReal)size);
+    const MdtBodyID b = McdModelGetBody(MstModelAndBodyCreate(u, g, 1000));
+    MdtBodySetPosition(b, (MeReal)(r * cos(angle)), 0, (MeReal)(r * sin(angle)));
+    MdtBodySetQuaternion(b, (MeReal)cos(angle / 2), 0, (MeReal)-sin(angle / 2), 0);
+    MdtBodySetLinearVelocity(b, (MeReal)(rate * r * sin(angle)), 0, (MeReal)(-rate * r * cos(angle)));
+    MdtBodySetAngularVelocity(b, 0, (MeReal)rate, 0);
+    return b;
+}
+
+/* m: the overlap of a ball, or of a box with its face, by the distance from the face below its centre. */
+static double overlapInDrum(MdtBodyID b, double radius, double turned, double size) {
+    const double phase = fmod(atan2(at(b, 2), at(b, 0)) + turned + 100 * ME_PI, 2 * ME_PI / SIDES) - ME_PI / SIDES;
+    return hypot(at(b, 0), at(b, 2)) * cos(phase) + size / 2 - radius * cos(ME_PI / SIDES);
+}
+
+/* The face below a body turns by h w in a step: the body follows it, and is not driven on. */
+LOOP_TEST(a_drum_carries_what_lies_at_its_wall, 0, SOLVERS) {
+    static const struct {
+        double radius, rate, size, h;
+    } drums[] = {{2, 8, .3, STEP}, {2, 4, .3, STEP}, {.5, 8, .08, STEP}, {20, 2, 3, 1. / 30}, {2, 12, .3, 1. / 120}};
+    for (int i = 0; i < 10; i++) {
+        const double radius = drums[i / 2].radius, rate = drums[i / 2].rate, size = drums[i / 2].size;
+        const double h = drums[i / 2].h;
+        double deepest = 0, fastest = 0;
+        begin(_i, .5, 0);
+        MdtWorldSetGravity(u->world, 0, 0, 0);
+        makeDrum(radius, rate);
+        const MdtBodyID b = putInDrum(radius, rate, size, i % 2);
+        for (int n = 1; n <= 120; n++) {
+            MstUniverseStep(u, (MeReal)h);
+            deepest = fmax(deepest, overlapInDrum(b, radius, rate * n * h, size));
+            fastest = fmax(fastest, hypot(speedAlong(b, 0), speedAlong(b, 2)));
+        }
+        ck_assert_msg(deepest < 5e-3 * size && fastest < 1.01 * rate * radius, "%d: %g of its size deep, %g of the rim",
+                      i, deepest / size, fastest / (rate * radius));
+    }
 }

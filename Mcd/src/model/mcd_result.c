@@ -56,12 +56,16 @@ McdReach mcd_childReach(const McdModelPair *p, const McdGeometryInstance *child1
     return reachOf(p, mcd_childVelocity(child1, memory[0]), mcd_childVelocity(child2, memory[1]));
 }
 
-void mcd_pairDisplacement(const McdModelPair *p, double displacement[3]) {
+void mcd_pairDisplacement(const McdModelPair *p, const double arm[3], double displacement[3]) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     const double time = isTimed(p) ? 0 : fmax((double)a->lookAhead, (double)b->lookAhead);
+    double spin[3] = {0, 0, 0}, turned[3];
+    if (b->angularVelocity)
+        mcd_fromReal(spin, b->angularVelocity);
+    mcd_cross(turned, spin, arm);
     for (int i = 0; i < 3; i++)
         displacement[i] = time * ((a->linearVelocity ? (double)a->linearVelocity[i] : 0) -
-                                  (b->linearVelocity ? (double)b->linearVelocity[i] : 0));
+                                  (b->linearVelocity ? (double)b->linearVelocity[i] : 0) - turned[i]);
 }
 
 MeBool mcd_resultHasRoom(const McdIntersectResult *result, const char *function) {

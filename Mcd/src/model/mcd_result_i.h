@@ -65,8 +65,8 @@ McdReach mcd_pairReach(const McdModelPair *p);
 McdReach mcd_pairReachInRound(const McdModelPair *p); /* for models that have been compared in this round */
 /* mcd_pairReach for two parts of aggregates: their origins also move because the models rotate. */
 McdReach mcd_childReach(const McdModelPair *p, const McdGeometryInstance *child1, const McdGeometryInstance *child2);
-/* m: the displacement of model1 relative to model2 until the next test, at their current velocities; 0 for fast
- * models, which get contacts of the current overlap only. */
-void mcd_pairDisplacement(const McdModelPair *p, double displacement[3]);
+/* m: the displacement of model1 relative to model2, which turns about its own place, until the next test, at their
+ * current velocities; 0 for fast models, which get contacts of the current overlap only. arm: from there to model1. */
+void mcd_pairDisplacement(const McdModelPair *p, const double arm[3], double displacement[3]);
 
 #endif

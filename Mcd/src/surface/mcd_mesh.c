@@ -234,10 +234,12 @@ static MeBool areAxesOrthonormal(const McdMeshQuery *q) {
     return fabs(fabs(mcd_dot(x, q->axis[2])) - 1) < 1e-6;
 }
 
-/* Sets the shape's displacement until the next test, limited to the margin within which triangles are gathered (of a
- * fast model at most its radius). */
+/* Sets the shape's displacement relative to the mesh until the next test, limited to the margin within which triangles
+ * are gathered (of a fast model at most its radius). */
 static void findDisplacement(McdMeshQuery *q) {
-    mcd_pairDisplacement(q->pair, q->displacement);
+    double arm[3];
+    mcd_sub(arm, q->shape.place, q->place);
+    mcd_pairDisplacement(q->pair, arm, q->displacement);
     const double length = mcd_length(q->displacement);
     if (length > q->margin)
         mcd_scale(q->displacement, q->displacement, q->margin / length);
@@ -265,10 +267,10 @@ static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
     q->pair = p;
     q->margin = reach.margin;
     q->approach = reach.approach;
-    findDisplacement(q);
     MEASSERT(!(q->margin < 0));
     if (!placeQuery(q, &mcd_record(p->model1)->instance, &mcd_record(p->model2)->instance))
         return MEFALSE;
+    findDisplacement(q);
     boundAlongShape(q);
     placeBoxInMesh(q);
     boundByBall(q);

@@ -89,9 +89,9 @@ static double depthWithinRounding(const MdtKeaSystem *s, const KeaContact *c) {
 /* The vector `out` from the anchor to the surface point, with o the outward normal: r o for a sphere; for a circle with
  * the axis a, to its farthest point along o, r (o - a (a·o)) / |..|, or 0 if it lies flat; 0 for corners, edges and
  * faces. */
-static void offsetToSurface(const KeaContact *c, int k, const double axis[3], double out[3]) {
+static void offsetToSurface(const KeaContact *c, int k, const double axis[3], const double normal[3], double out[3]) {
     double outward[3];
-    keaScale(outward, k == 0 ? -1 : 1, c->normal);
+    keaScale(outward, k == 0 ? -1 : 1, normal);
     MdtKeaOffsetToSurface(c->manifold->radius[k], c->circle[k], axis, outward, out);
 }
 
@@ -143,7 +143,7 @@ static void setAnchors(const MdtKeaSystem *s, KeaContact *c) {
         const MdtKeaTransformation *pose = poseOf(s, c, k, &memory);
         double arm[3], out[3];
         c->circle[k] = c->manifold->rim[k] > 0 ? circleOf(s, c, k) : 0;
-        offsetToSurface(c, k, c->manifold->axis[k], out);
+        offsetToSurface(c, k, c->manifold->axis[k], c->normal, out);
         keaSubtract(arm, c->point, pose->pos);
         keaAddScaled(arm, (k == 0 ? -1 : 1) * 0.5 * c->depth, normal);
         keaAddScaled(arm, -1, out);
@@ -203,7 +203,7 @@ static void moveWithBodies(const MdtKeaSystem *s, KeaContact *c) {
         const MdtKeaTransformation *pose = poseOf(s, c, k, &memory);
         double axis[3], out[3];
         circleAxisOf(s, c, k, axis);
-        offsetToSurface(c, k, axis, out);
+        offsetToSurface(c, k, axis, c->normal, out);
         keaApply(p[k], pose->R, c->anchor[k]);
         keaAddScaled(p[k], 1, pose->pos);
         keaAddScaled(p[k], 1, out);
@@ -246,15 +246,17 @@ static void pointOfOwner(const MdtKeaSystem *s, const KeaContact *c, int k, cons
                          double p[3]) {
     MdtKeaTransformation memory;
     const MdtKeaTransformation *pose = poseOf(s, c, k, &memory);
-    double displacement[3], turn[3], axis[3], out[3];
+    double displacement[3], turn[3], axis[3], normal[3], out[3];
     motionOf(s, c, k, move, displacement, turn);
     circleAxisOf(s, c, k, axis);
     turnBy(turn, share, axis);
-    offsetToSurface(c, k, axis, out);
+    keaCopy(normal, c->normal);
+    turnBy(c->faceTurn, share, normal);
+    offsetToSurface(c, k, axis, normal, out);
     keaApply(p, pose->R, c->anchor[k]);
     turnBy(turn, share, p);
     keaAddScaled(p, 1, out);
-    keaAddScaled(p, (k == 0 ? 0.5 : -0.5) * c->depth, c->normal);
+    keaAddScaled(p, (k == 0 ? 0.5 : -0.5) * c->depth, normal);
     keaAddScaled(p, 1, pose->pos);
     keaAddScaled(p, share, displacement);
 }
@@ -358,13 +360,34 @@ static void setArms(const MdtKeaSystem *s, KeaContact *c) {
         keaSubtract(c->arm[k], c->point, poseOf(s, c, k, &memory)->pos);
 }
 
+/* Finds the rotation of the face on which a contact lies, if it is a mover's: a round side or a vertex has no face.
+ * Without it what a drum carries along would leave the circle by its motion relative to the drum, times h w, and be
+ * pushed along the normals of the start, which drives it on. Returns whether directions turn. */
+static MeBool findFaceTurn(const MdtKeaSystem *s, KeaContact *c) {
+    double across[3];
+    keaZero(c->faceTurn);
+    for (int k = 0; k < 2; k++)
+        if (isWorld(c, k) && !isPlaced(c, k) && !isOwner(c, k))
+            keaScale(c->faceTurn, s->parameters.stepsize, sideVelocityOf(s, c, k)->ang);
+    keaCross(across, c->faceTurn, c->normal);
+    if (keaLength(across) > kea_minTurn)
+        return METRUE;
+    keaZero(c->faceTurn);
+    return MEFALSE;
+}
+
+void kea_contactTurnDirection(const KeaContact *c, double share, double d[3]) {
+    turnBy(c->faceTurn, share, d);
+}
+
 void kea_contactChooseMotion(const MdtKeaSystem *s, KeaContact *c) {
     const MeBool areVertices = doVerticesMove(s, c);
     keaZero(c->turn);
     for (int k = 0; k < 2; k++)
         c->isVertex[k] = c->at->isVertex[k] && areVertices;
+    const MeBool turns = findFaceTurn(s, c);
     c->rolls = hasOwner(c) && (!isArmConstant(s, c, 0) || !isArmConstant(s, c, 1));
-    c->moves = c->rolls || (!hasOwner(c) && findSharedTurn(s, c));
+    c->moves = c->rolls || (!hasOwner(c) && findSharedTurn(s, c)) || turns;
 }
 
 void kea_contactPlaceAtStart(const MdtKeaSystem *s, KeaContact *c) {

@@ -21,7 +21,8 @@ typedef struct KeaContact {
     double depth;                   /* m */
     double arm[2][3];               /* m, from the bodies' centres to the point */
     double turn[3];                 /* rad, rotation vector of a contact of flat surfaces in this sub-step; else 0 */
-    MeBool moves;                   /* lever arms change within this sub-step, */
+    double faceTurn[3];             /* rad, of a mover on whose face the contact lies: normal and directions turn */
+    MeBool moves;                   /* lever arms or directions change within this sub-step, */
     MeBool rolls;                   /* since the point moves with a round side, a rim or a vertex */
     /* kea_contact.c */
     int friction; /* set of its kinds of friction: 1 primary, 2 secondary, 4 rolling, 8 spinning */
@@ -44,6 +45,8 @@ void kea_contactChooseMotion(const MdtKeaSystem *s, KeaContact *c);
  * which the bodies move during the sub-step, not read for the world. Needs c->moves. */
 void kea_contactArms(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6], double share,
                      double arm[2][3]);
+/* Turns a direction of the contact's, d, with the face on which it lies, for the same shares. */
+void kea_contactTurnDirection(const KeaContact *c, double share, double d[3]);
 /* m: by how much the gap grows in the sub-step beyond h times the rate of `move` with the mean lever arms: the path of
  * the point of a rim is curved. */
 double kea_contactBend(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6]);

@@ -38,12 +38,43 @@ static void addWorldRate(double rate, KeaApproach *a) {
     a->fastest += rate;
 }
 
+/* m/s: the velocity of a side of the manifold at its point, less that of the side's centre. */
+static void velocityAt(const MdtKeaVelocity *side, const double arm[3], double v[3]) {
+    keaCross(v, side->ang, arm);
+    keaAddScaled(v, 1, side->lin);
+}
+
+/* The rate is n·(v - f), with v of the other side, and f = c + w x r of the face at the same point. n turns with w, and
+ * r changes by v - c: the acceleration is (w x n)·(v - f) - n·(w x (v - c)). */
+double kea_turningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]) {
+    const int k = m->body[0] < 0 ? 0 : 1;
+    const MdtKeaVelocity *face = m->worldVelocity;
+    double turn[3], v[3], f[3], slip[3], change[3];
+    if (m->body[k] >= 0 || m->body[1 - k] < 0 || !m->mover || !face)
+        return 0;
+    keaCross(turn, face->ang, m->normal);
+    if (s->parameters.stepsize * keaLength(turn) <= kea_minTurn)
+        return 0;
+    velocityAt(&s->velocity[m->body[1 - k]], arm[1 - k], v);
+    velocityAt(face, arm[k], f);
+    keaSubtract(slip, v, f);
+    keaAddScaled(v, -1, face->lin);
+    keaCross(change, face->ang, v);
+    return (k == 1 ? 1 : -1) * s->parameters.stepsize * (keaDot(turn, slip) - keaDot(m->normal, change));
+}
+
+static void addTurning(double turning, KeaApproach *a) {
+    a->predicted += turning;
+    a->fastest += keaMin(turning, 0);
+}
+
 KeaApproach kea_approachOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     KeaApproach a = {0, 0, 0, 0};
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
             addApproachOfBody(s, row->body[k], &row->J[k], &a);
     addWorldRate(-row->drift, &a);
+    addTurning(row->turning, &a);
     return a;
 }
 
@@ -58,6 +89,7 @@ KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, 
         else if (m->worldVelocity)
             addWorldRate(kea_rateAlong(&J, m->worldVelocity), &a);
     }
+    addTurning(kea_turningRate(s, m, arm), &a);
     return a;
 }
 

@@ -140,6 +140,7 @@ static void normalRow(const MdtKeaSystem *s, const KeaContact *c, int owner, Mdt
     const double aim = c->depth > 0 ? p->gamma * c->depth : c->depth; /* m: smallest separation within the sub-step */
     startLinearRow(c, c->normal, owner, aim / p->stepsize, row);
     row->error = -c->depth;
+    row->turning = kea_turningRate(s, c->manifold, (const double(*)[3])c->arm);
     for (int k = 0; k < 2; k++)
         row->radius[k] = c->manifold->radius[k];
     row->restitution = surface->restitution;
@@ -230,7 +231,10 @@ static void setMovedJacobians(MdtKeaSystem *s, const KeaContact *c, const double
         kea_contactArms(s, c, move, share[k], arm);
         for (int r = c->firstRow; r < endOfLinearRows(c); r++) {
             MdtKeaMove *moved = &s->moves[r][k];
-            contactJacobian((const double(*)[3])arm, s->rows[r].J[0].lin, moved->J);
+            double direction[3];
+            keaCopy(direction, s->rows[r].J[0].lin);
+            kea_contactTurnDirection(c, share[k], direction);
+            contactJacobian((const double(*)[3])arm, direction, moved->J);
             moved->rate = worldRate(c, moved->J) - worldRate(c, s->rows[r].J);
         }
     }

@@ -35,7 +35,7 @@ MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed) {
 
 /* m/s: J v of a row at the end of the step without constraint forces. */
 static double freeRate(const MdtKeaSystem *s, const MdtKeaRow *row) {
-    double rate = 0;
+    double rate = row->turning;
     for (int k = 0; k < 2; k++)
         if (row->body[k] >= 0)
             rate += kea_rateAlong(&row->J[k], &s->predicted[row->body[k]]);

@@ -131,7 +131,7 @@ static double gapRate(const MdtKeaSystem *s, int i, MeBool byEnd) {
 static MeBool isPressed(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
     const double h = s->parameters.stepsize, atEnd = row->error + h * gapRate(s, i, METRUE);
-    const double free = row->restitution == 1 ? keaMin(row->error, 0) : 0;
+    const double free = row->restitution == 1 || row->turning != 0 ? keaMin(row->error, 0) : 0;
     return row->error + h * gapRate(s, i, MEFALSE) <
            keaMin(atEnd, free) - kea_pressedDepth * kea_smallerExtent(s, row->body);
 }
@@ -207,7 +207,8 @@ static MeBool isInactive(const MdtKeaSystem *s, const MdtKeaRow *row) {
     for (int k = 0; k < 2; k++)
         if (normal->body[k] >= 0)
             size = keaMax(size, s->work->body[normal->body[k]].size);
-    const double speed = keaMin(rateAt(normal, s->velocity), rateAt(normal, s->predicted)) - normal->drift;
+    const double speed =
+        keaMin(rateAt(normal, s->velocity), rateAt(normal, s->predicted) + normal->turning) - normal->drift;
     const double h = s->parameters.stepsize,
                  gap = normal->error + h * keaMax(speed, 0); /* at the end, if the bodies separate */
     const MeBool mayPull = normal->lower < 0, isNear = gap < kea_nearbyGap * size;
@@ -326,9 +327,10 @@ static double movingRate(const MdtKeaSystem *s, int i) {
         if (s->rows[i].body[k] < 0)
             continue;
         const double *v = s->work->body[s->rows[i].body[k]].endVelocity;
-        double turn[3];
+        double turn[3], tilt[3];
         keaSubtract(turn, end->J[k].ang, mean->J[k].ang);
-        rate += keaDot(turn, v + 3);
+        keaSubtract(tilt, end->J[k].lin, mean->J[k].lin);
+        rate += keaDot(turn, v + 3) + keaDot(tilt, v);
     }
     return rate;
 }

@@ -39,9 +39,11 @@ typedef struct KeaMotion {
 
 /* A manifold's centre, at which friction acts, and its points' coordinates along t1 and t2. */
 typedef struct KeaPatch {
-    double centre[3], across[3], x[KEA_POINTS], y[KEA_POINTS]; /* m; across: t2 */
-    double arm[2][3]; /* m, lever arms from the bodies' centres to the centre, in the mean of the step */
-    double added[3];  /* m/s, the rates at the end less those with these arms */
+    double centre[3], x[KEA_POINTS], y[KEA_POINTS]; /* m */
+    double axis[3][3]; /* primary and secondary direction, normal, in the mean of the step */
+    double arm[2][3];  /* m, lever arms from the bodies' centres to the centre, in the mean of the step */
+    double added[3];   /* m/s, the rates at the end less those with these arms; */
+    double turned[3];  /* those along each axis at the end less those along its mean */
 } KeaPatch;
 
 /* Of a system with locked axes, by body: 1 along free translations, 0 along locked ones. */

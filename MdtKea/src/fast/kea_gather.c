@@ -39,14 +39,16 @@ static void setPatch(const MdtKeaManifold *m, KeaPatch *p) {
     double share[KEA_POINTS];
     setShares(m, share);
     keaZero(p->centre);
-    keaCross(p->across, m->normal, m->direction);
+    keaCopy(p->axis[0], m->direction);
+    keaCross(p->axis[1], m->normal, m->direction);
+    keaCopy(p->axis[2], m->normal);
     for (int k = 0; k < m->numPoints; k++)
         keaAddScaled(p->centre, share[k], m->point[k].position);
     for (int k = 0; k < m->numPoints; k++) {
         double offset[3];
         keaSubtract(offset, m->point[k].position, p->centre);
-        p->x[k] = keaDot(offset, m->direction);
-        p->y[k] = keaDot(offset, p->across);
+        p->x[k] = keaDot(offset, p->axis[0]);
+        p->y[k] = keaDot(offset, p->axis[1]);
     }
 }
 
@@ -272,19 +274,40 @@ static void predictMotions(const MdtKeaSystem *s, const MdtKeaManifold *m, SideM
     }
 }
 
+/* Turns the axes of a manifold with the face on which it lies. v: the relative velocity at the end. */
+static void turnAxes(const KeaContact *c, const double v[3], KeaPatch *p) {
+    double start[3][3];
+    keaCopy(start[0], c->manifold->direction);
+    keaCross(start[1], c->manifold->normal, c->manifold->direction);
+    keaCopy(start[2], c->manifold->normal);
+    for (int i = 0; i < 3 && keaDot(c->faceTurn, c->faceTurn) > 0; i++) {
+        double end[3];
+        keaCopy(end, start[i]);
+        keaCopy(p->axis[i], start[i]);
+        kea_contactTurnDirection(c, 1, end);
+        kea_contactTurnDirection(c, 0.5, p->axis[i]);
+        keaScale(p->axis[i], 1 / keaLength(p->axis[i]), p->axis[i]);
+        p->turned[i] = keaDot(end, v) - keaDot(p->axis[i], v);
+    }
+}
+
 /* The lever arms of a manifold. Impulses act with the mean of the arms at the start and at the end of the step;
  * otherwise bodies that rotate together would gain angular momentum. The contact laws hold for the rates at the end.
  * Their difference from the rates with the mean arms is added := Σ ± w_k x (arm_k⁺ - arm_k), w the spin at the end. */
 static void moveArms(const MdtKeaSystem *s, KeaContact *c, const SideMotions *sides, KeaPatch *p) {
-    double end[2][3];
+    double end[2][3], v[3] = {0, 0, 0};
     kea_contactArms(s, c, sides->mean, 0.5, p->arm);
     kea_contactArms(s, c, sides->mean, 1, end);
     for (int k = 0; k < 2; k++) {
-        double remainder[3], rate[3];
+        double remainder[3], rate[3], spun[3];
+        keaCross(spun, sides->spin[k], end[k]);
+        keaAddScaled(v, k == 0 ? 1 : -1, spun);
+        keaAddScaled(v, k == 0 ? 1 : -1, sides->mean[k]);
         keaSubtract(remainder, end[k], p->arm[k]);
         keaCross(rate, sides->spin[k], remainder);
         keaAddScaled(p->added, k == 0 ? 1 : -1, rate);
     }
+    turnAxes(c, v, p);
 }
 
 /* The contact at the centre of a manifold. False: its lever arms do not change in the step. */
@@ -306,6 +329,7 @@ static void setArms(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaPatch *p)
     KeaContact c;
     SideMotions sides;
     keaZero(p->added);
+    keaZero(p->turned);
     for (int k = 0; k < 2; k++)
         keaSubtract(p->arm[k], p->centre, kea_sidePose(s, m, k, &memory)->pos);
     if (!doArmsRotate(s, m, p) || !placeCentre(s, m, p, &centre, &c))
@@ -316,11 +340,13 @@ static void setArms(const MdtKeaSystem *s, const MdtKeaManifold *m, KeaPatch *p)
 
 /* Subtracts `share` of `added` from the targets, which are those of the rates with the mean arms. */
 static void subtractArmRates(const MdtKeaManifold *m, const KeaPatch *p, double share, KeaGroup *g, int lane) {
-    const double *added = p->added;
-    g->slide[0][lane] -= (float)(share * keaDot(added, m->direction));
-    g->slide[1][lane] -= (float)(share * keaDot(added, p->across));
+    double rate[3];
+    for (int i = 0; i < 3; i++)
+        rate[i] = share * (keaDot(p->added, p->axis[i]) + p->turned[i]);
+    g->slide[0][lane] -= (float)rate[0];
+    g->slide[1][lane] -= (float)rate[1];
     for (int k = 0; k < m->numPoints; k++)
-        g->bias[k][lane] -= (float)(share * keaDot(added, m->normal));
+        g->bias[k][lane] -= (float)rate[2];
 }
 
 static void fillLane(const KeaGathering *from, int manifold, float correction, KeaGroup *g, int lane) {
@@ -330,8 +356,8 @@ static void fillLane(const KeaGathering *from, int manifold, float correction, K
     const double size = kea_smallerExtent(s, m->body);
     setPatch(m, p);
     setArms(s, m, p);
-    setLane3(&g->normal, lane, m->normal);
-    setLane3(&g->along, lane, m->direction);
+    setLane3(&g->normal, lane, p->axis[2]);
+    setLane3(&g->along, lane, p->axis[0]);
     for (int k = 0; k < 2; k++) {
         fillBody(s, from->place, m, k, g, lane);
         fillInertia(s, m, k, g, lane);
@@ -459,16 +485,16 @@ static void impulsesOf(const KeaGathering *from, const KeaGroup *g, int lane, do
     const MdtKeaManifold *m = &from->s->manifolds[g->manifold[lane]];
     const KeaPatch *p = &from->patch[g->manifold[lane]];
     double impulse[3], couple[3];
-    keaScale(impulse, (double)g->frictionImpulse[0][lane], m->direction);
-    keaAddScaled(impulse, (double)g->frictionImpulse[1][lane], p->across);
-    keaScale(couple, (double)g->torsionImpulse[lane], m->normal);
-    keaAddScaled(couple, (double)g->rollingImpulse[0][lane], m->direction);
-    keaAddScaled(couple, (double)g->rollingImpulse[1][lane], p->across);
+    keaScale(impulse, (double)g->frictionImpulse[0][lane], p->axis[0]);
+    keaAddScaled(impulse, (double)g->frictionImpulse[1][lane], p->axis[1]);
+    keaScale(couple, (double)g->torsionImpulse[lane], p->axis[2]);
+    keaAddScaled(couple, (double)g->rollingImpulse[0][lane], p->axis[0]);
+    keaAddScaled(couple, (double)g->rollingImpulse[1][lane], p->axis[1]);
     for (int k = 0; k < m->numPoints; k++) {
         const double normal = (double)g->impulse[k][lane];
-        keaAddScaled(impulse, normal, m->normal);
-        keaAddScaled(couple, normal * p->y[k], m->direction);
-        keaAddScaled(couple, -normal * p->x[k], p->across);
+        keaAddScaled(impulse, normal, p->axis[2]);
+        keaAddScaled(couple, normal * p->y[k], p->axis[0]);
+        keaAddScaled(couple, -normal * p->x[k], p->axis[1]);
     }
     for (int k = 0; k < 2; k++) {
         double turn[3];
