@@ -39,7 +39,8 @@ typedef struct MstEvent {
     MeBool isSensor;                    /**< One model is a sensor: they overlap, without contact forces. */
     MeReal impulse;        /**< N s: sum of the normal impulses of all their contacts in the step. 0 for sensors and
                                 ends. */
-    MeReal approachSpeed;  /**< m/s, the largest closing speed of the contacts before the impact; begin events only. */
+    MeReal approachSpeed;  /**< m/s, the largest closing speed of the contacts as they meet, with what gravity and the
+                                forces of the step add; begin events only. */
     MeVector3 position;    /**< Of the contact with the largest impulse (sensors: the deepest one); 0 for ends. */
     MeVector3 normal;      /**< At the same contact, length 1: direction in which model1 is pushed; 0 for ends. */
     MdtConstraintID joint; /**< The broken joint; null for other events, and if destroyed since. */

@@ -10,6 +10,7 @@
 #include "MdtBody.h"
 #include "MdtContact.h"
 #include "MdtContactGroup.h"
+#include "MdtInternal.h"
 #include "MeAssert.h"
 #include "touch/mst_touch_i.h"
 #include <string.h>
@@ -219,12 +220,27 @@ static void surfaceVelocityAt(McdModelID m, MeVector3 point, MeVector3 velocity)
         MeVector3Copy(velocity, linear);
 }
 
-MeReal mst_approachSpeedAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal) {
-    MeVector3 v1, v2;
+/* m/s²: of a body by gravity and the forces of this step; 0 for the world. */
+static void freeAccelerationOf(McdModelID m, MeVector3 a) {
+    const MdtBodyID body = mst_freeBodyOf(m);
+    MeVector3Set(a, 0, 0, 0);
+    if (body)
+        MdtBodyGetFreeAcceleration(body, a);
+}
+
+/* The speed u with which a gap d closes, from the speed v at the beginning of the step: u² = v² + 2 a d. */
+MeReal mst_approachSpeedAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal, MeReal gap) {
+    MeVector3 v1, v2, a1, a2;
     surfaceVelocityAt(p->model1, point, v1);
     surfaceVelocityAt(p->model2, point, v2);
+    freeAccelerationOf(p->model1, a1);
+    freeAccelerationOf(p->model2, a2);
     MeVector3Subtract(v1, v1, v2);
-    return -MeVector3Dot(v1, normal);
+    MeVector3Subtract(a1, a1, a2);
+    const MeReal speed = -MeVector3Dot(v1, normal), acceleration = -MeVector3Dot(a1, normal);
+    if (!(gap > 0) || (speed <= 0 && acceleration <= 0))
+        return speed;
+    return MeSqrt(MeMAX(speed * speed + 2 * acceleration * gap, 0));
 }
 
 /* Adds a contact to the touch. Its position is that of the deepest contact, until impulses select another one. */
@@ -236,7 +252,7 @@ static void addContact(MstTouch *t, MeVector3 position, const MeVector3 normal, 
         MeVector3Copy(t->normal, normal);
     }
     if (!t->wasTouching)
-        t->approachSpeed = MeMAX(t->approachSpeed, mst_approachSpeedAt(t->pair, position, normal));
+        t->approachSpeed = MeMAX(t->approachSpeed, mst_approachSpeedAt(t->pair, position, normal, separation));
 }
 
 void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal) {

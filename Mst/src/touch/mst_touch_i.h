@@ -44,8 +44,9 @@ MeBool mst_touchesAreConsistent(const MstEvents *e);
 void mst_freeTouches(MstEvents *e);
 /* s, the lag of the pair's bodies behind their world; bodies joined by a pair have the same lag. */
 MeReal mst_pairLag(const McdModelPair *p);
-/* m/s: the closing speed of the models at a point; the normal is the direction in which the first model is pushed. */
-MeReal mst_approachSpeedAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal);
+/* m/s: the closing speed of the models at a point, once their gap there has closed. The first model is pushed along the
+ * normal. */
+MeReal mst_approachSpeedAt(const McdModelPair *p, MeVector3 point, const MeVector3 normal, MeReal gap);
 /* Contact normal in the direction in which the first model is pushed, whichever body is first in its group. */
 void mst_normalOf(const McdModelPair *p, MdtContactID c, MeVector3 normal);
 
