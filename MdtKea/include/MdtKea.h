@@ -265,21 +265,23 @@ typedef enum MdtKeaPair {
 
 /** Parameters of the whole system. The owner's rows have epsilon and gamma in their softness and target already. */
 typedef struct MdtKeaParameters {
-    double stepsize;   /**< s, of the step or sub-step */
-    double elapsed;    /**< s, from the start of the step to that of this sub-step; 0: the first one */
-    double late;       /**< s, from the start of the movers' step to that of this step */
-    MeBool isBack;     /**< this sub-step goes back in time (MdtKeaReverse) */
-    double epsilon;    /**< 1/kg, of contacts */
-    double softening;  /**< factor of the softness of contact surfaces in a sub-step; 1 in a whole step */
-    double gamma;      /**< fraction of a position error that the step removes, 0..1 */
-    int maxIterations; /**< cap on the Newton iterations, or the fast solver's passes, of the whole solve; 0: none */
-    double maxWork;    /**< cap on the multiplications of the whole solve, roughly; 0: none */
-    MeBool mayDecline; /**< the solve may be declined if it would take more than maxWork */
-    MeBool mayRefuse;  /**< a step in which bodies turn too far may be reported as violent without being solved */
-    MeBool isPart;     /**< a sub-step that ends at a safe time: corrections of joints must not add energy */
-    MdtKeaPair pair;   /**< a composition of higher order takes steps in pairs */
-    MeBool timed;      /**< impacts are resolved at their time; bodies move with their mean velocities (θ = 1/2) */
-    MeBool holdsSlow;  /**< a timed step is not divided at impacts that are too slow to rebound: these contacts are
+    double stepsize;     /**< s, of the step or sub-step */
+    double elapsed;      /**< s, from the start of the step to that of this sub-step; 0: the first one */
+    double late;         /**< s, from the start of the movers' step to that of this step */
+    MeBool isBack;       /**< this sub-step goes back in time (MdtKeaReverse) */
+    double epsilon;      /**< 1/kg, of contacts */
+    double softening;    /**< factor of the softness of contact surfaces in a sub-step; 1 in a whole step */
+    double gamma;        /**< fraction of a position error that the step removes, 0..1 */
+    int maxIterations;   /**< cap on the Newton iterations, or the fast solver's passes, of the whole solve; 0: none */
+    double maxWork;      /**< cap on the multiplications of the whole solve, roughly; 0: none */
+    MeBool mayDecline;   /**< the solve may be declined if it would take more than maxWork */
+    double ordinaryWork; /**< multiplications, of a solve that may be declined: after them a coarser answer will do */
+    double acceptable;   /**< m/s: residual up to which an answer is not declined */
+    MeBool mayRefuse;    /**< a step in which bodies turn too far may be reported as violent without being solved */
+    MeBool isPart;       /**< a sub-step that ends at a safe time: corrections of joints must not add energy */
+    MdtKeaPair pair;     /**< a composition of higher order takes steps in pairs */
+    MeBool timed;        /**< impacts are resolved at their time; bodies move with their mean velocities (θ = 1/2) */
+    MeBool holdsSlow;    /**< a timed step is not divided at impacts that are too slow to rebound: these contacts are
                             constrained from its start, so that they touch at its end; nor where sliding stops */
     MeBool followsContacts; /**< fast solver: contacts on vertices and rims move with their bodies within the step */
     MeBool collidesAtStart,

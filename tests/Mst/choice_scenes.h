@@ -228,13 +228,25 @@ static void makeLoadedCubes(const double p[3]) {
     put(cube, p[1], 0, count + 1., 0);
 }
 
-/* A slab that falls by .1 m onto four layers of cubes of 1 kg that lie .01 m above each other: cubes along an edge of a
- * layer; kg. */
-static void makeSlabOnCubes(const double p[3]) {
+/* Four layers of cubes of 1 kg that lie .01 m above each other: cubes along an edge of a layer. */
+static void addCubes(int edge) {
     const McdGeometryID cube = boxOf(1, 1, 1);
-    const int edge = (int)p[0];
     for (int i = 0; i < 4 * edge * edge; i++)
         put(cube, 1, 1.02 * (i % edge), .5 + 1.01 * (i / (edge * edge)), 1.02 * (i / edge % edge));
+}
+
+/* A drum that lies and falls by .1 m onto such cubes: along an edge; kg. */
+static void makeDrumOnCubes(const double p[3]) {
+    const double edge = p[0], middle = .51 * (edge - 1);
+    addCubes((int)edge);
+    put(McdCylinderCreate(universe->frame, edge / 2, edge), p[1] / (pi / 4 * edge * edge * edge), middle,
+        4.14 + edge / 2, middle);
+}
+
+/* A slab that falls by .1 m onto such cubes: along an edge; kg. */
+static void makeSlabOnCubes(const double p[3]) {
+    const int edge = (int)p[0];
+    addCubes(edge);
     put(boxOf(edge, 1, edge), p[1] / (edge * edge), .51 * (edge - 1), 4.64, .51 * (edge - 1));
 }
 
@@ -523,6 +535,7 @@ static void makeSwinging(const double p[3]) {
 static const Scene scenes[] = {
     {"ton-cubes", makeLoadedCubes, {{8, 10, 20}, {100, 1000}}, 10, &overlapAndDrift, .001},
     {"slab", makeSlabOnCubes, {{2, 3, 4}, {1e3, 1e4}}, 5, &overlapAndDrift, .001},
+    {"drum", makeDrumOnCubes, {{2, 3}, {1e3, 1e4}}, 5, &overlapAndDrift, .001},
     {"ton-bridge", makeLoadedBridge, {{.1, .5, 1}, {1, 1000, 10000}}, 20, &below, .001},
     {"kapla", makeKapla, {{60, 100}}, 30, &sinkAndFallen, .001},
     {"stack", makeStack, {{20, 63, 64, 65, 100}, {1, .05, .02}, {1}}, 10, &sinkAndDrift, 1e-4},

@@ -22,6 +22,17 @@ enum { MDT_CONSTRAINED_SHARE = 4 };
 /* A world's accounts of exact work (mdt_choice.c): one for optional exact steps, one for needed ones. */
 typedef enum MdtAccount { MDT_OPTIONAL, MDT_NEEDED, MDT_ACCOUNTS } MdtAccount;
 
+/* Classes of partitions, by which shares of exact work are assigned (mdt_choice.c). */
+typedef enum MdtShareClass {
+    MDT_NO_NEED,     /* no constraints act on it, or the program has chosen */
+    MDT_CERTIFIED,   /* will be solved only if an input has changed */
+    MDT_FIRST,       /* in its first steps: the cost of a step with warm start is unknown */
+    MDT_LOST,        /* the fast solver's answer is worthless */
+    MDT_UNMET,       /* the fast solver missed the accuracy, or does not suit it */
+    MDT_STAYS_EXACT, /* no need, and the exact solver solved the last step */
+    MDT_STAYS_FAST   /* no need, and the fast solver solved the last step */
+} MdtShareClass;
+
 /* The state that a partition keeps from step to step (mdt_choice.c). */
 typedef struct MdtIslandRecord {
     int steps;           /* steps with the automatic choice of solver, counted up to 2 */
@@ -36,6 +47,7 @@ typedef struct MdtIslandRecord {
     MeBool wasExact;   /* the exact solver solved the last step */
     float crushed;     /* s left in which movers count as leaving bodies no room (mdt_crush.c) */
     /* fields of this step */
+    MdtShareClass shareClass;
     MeBool isExactFirst; /* the exact solver is tried first */
     MdtAccount account;  /* the account that pays the exact work */
     double share;        /* multiplications that the exact solver may use */

@@ -125,29 +125,27 @@ static int countBodies(const MdtWorld *w, int partition) {
     return w->bodyStart[partition + 1] - w->bodyStart[partition];
 }
 
-/* Classes of partitions, by which shares are assigned. */
-typedef enum ShareClass {
-    NO_NEED,     /* no constraints act on it, or the program has chosen */
-    CERTIFIED,   /* will be solved only if an input has changed */
-    FIRST,       /* in its first steps: the cost of a step with warm start is unknown */
-    LOST,        /* the fast solver's answer is worthless */
-    UNMET,       /* the fast solver missed the accuracy, or does not suit it */
-    STAYS_EXACT, /* no need, and the exact solver solved the last step */
-    STAYS_FAST   /* no need, and the fast solver solved the last step */
-} ShareClass;
+/* Whether the partition's bodies have certificates of the same step, and may be left unsolved: not if a body without
+ * one has come to them. */
+static MeBool areCertified(const MdtWorld *w, int partition) {
+    for (int i = w->bodyStart[partition]; i < w->bodyStart[partition + 1]; i++)
+        if (w->bodyOf[i]->certificate == 0)
+            return MEFALSE;
+    return METRUE;
+}
 
-static ShareClass shareClassOf(const MdtWorld *w, int partition) {
+static MdtShareClass shareClassOf(const MdtWorld *w, int partition) {
     const MdtIslandRecord *r = &w->record[partition];
     if (mdt_choiceRequested(w, partition) != MdtSolverAuto ||
         w->actingStart[partition + 1] == w->actingStart[partition])
-        return NO_NEED;
-    if (w->bodyOf[w->bodyStart[partition]]->certificate != 0)
-        return CERTIFIED;
-    return r->steps < 2                  ? FIRST
-           : r->excess > mdt_lostExcess  ? LOST
-           : r->excess > 1 || r->isUnfit ? UNMET
-           : r->wasExact                 ? STAYS_EXACT
-                                         : STAYS_FAST;
+        return MDT_NO_NEED;
+    if (areCertified(w, partition))
+        return MDT_CERTIFIED;
+    return r->steps < 2                  ? MDT_FIRST
+           : r->excess > mdt_lostExcess  ? MDT_LOST
+           : r->excess > 1 || r->isUnfit ? MDT_UNMET
+           : r->wasExact                 ? MDT_STAYS_EXACT
+                                         : MDT_STAYS_FAST;
 }
 
 /* Multiplications: the predicted cost of an exact step. */
@@ -176,19 +174,21 @@ static double freeWorkOf(const MdtWorld *w, int partition) {
 
 /* Assigns shares from an account to partitions of a class that have none yet, as far as `funds` last. Returns the
  * remaining funds. */
-static double assignShares(MdtWorldID w, ShareClass shareClass, MeBool isExactFirst, MdtAccount account, double funds) {
+static double assignShares(MdtWorldID w, MdtShareClass shareClass, MeBool isExactFirst, MdtAccount account,
+                           double funds) {
     for (int i = 0; i < w->numPartitions; i++) {
         MdtIslandRecord *r = &w->record[i];
         const double need = predictedWork(w, i);
         const MeBool isOutOfProportion = /* costs far more than a fast step, and more than one step pays in */
             need > mdt_payment[MDT_OPTIONAL] * budgetOf(w) && need > mdt_maxOfFast * fastStepWork(w, i);
-        if (r->share > 0 || need > funds || shareClassOf(w, i) != shareClass)
+        if (r->share > 0 || need > funds || r->shareClass != shareClass)
             continue;
-        if (isOutOfProportion && shareClass > LOST && !r->isUnfit)
+        if (isOutOfProportion && shareClass > MDT_LOST && !r->isUnfit)
             continue;
         r->share = r->drawn = need;
         r->account = account;
-        r->isExactFirst = isExactFirst || r->isUnfit || (shareClass == UNMET && r->stepsSinceTry <= r->stepsUntilRetry);
+        r->isExactFirst =
+            isExactFirst || r->isUnfit || (shareClass == MDT_UNMET && r->stepsSinceTry <= r->stepsUntilRetry);
         w->credit[account] -= need;
         funds -= need;
         MEASSERT(funds >= 0 && w->credit[account] >= 0);
@@ -201,22 +201,22 @@ static void assignFreeShares(MdtWorldID w) {
     for (int i = 0; i < w->numPartitions; i++) {
         MdtIslandRecord *r = &w->record[i];
         const double freeWork = freeWorkOf(w, i);
-        const ShareClass shareClass = shareClassOf(w, i);
         r->drawn = r->loan = 0;
-        r->isExactFirst = shareClass >= LOST && predictedWork(w, i) <= freeWork;
+        r->shareClass = shareClassOf(w, i);
+        r->isExactFirst = r->shareClass >= MDT_LOST && predictedWork(w, i) <= freeWork;
         r->share = r->isExactFirst ? freeWork : 0;
     }
 }
 
 /* Lends funds to partitions that have a share, in proportion to their bodies, for steps that cost more than predicted:
- * either to those of class FIRST, or to all others. */
+ * either to those of class MDT_FIRST, or to all others. */
 static void lendFunds(MdtWorldID w, MeBool isFirst, double funds) {
     double bodies = 0;
     for (int i = 0; i < w->numPartitions; i++)
-        if (w->record[i].share > 0 && isFirst == (shareClassOf(w, i) == FIRST))
+        if (w->record[i].share > 0 && isFirst == (w->record[i].shareClass == MDT_FIRST))
             bodies += countBodies(w, i);
     for (int i = 0; i < w->numPartitions && bodies > 0; i++)
-        if (w->record[i].share > 0 && isFirst == (shareClassOf(w, i) == FIRST)) {
+        if (w->record[i].share > 0 && isFirst == (w->record[i].shareClass == MDT_FIRST)) {
             const double loan = funds * countBodies(w, i) / bodies;
             w->record[i].loan = loan;
             w->record[i].share += loan;
@@ -229,9 +229,9 @@ static void lendReserves(MdtWorldID w) {
     const double funds = w->credit[MDT_NEEDED];
     double bodies = 0;
     for (int i = 0; i < w->numPartitions; i++)
-        bodies += shareClassOf(w, i) >= FIRST ? countBodies(w, i) : 0;
+        bodies += w->record[i].shareClass >= MDT_FIRST ? countBodies(w, i) : 0;
     for (int i = 0; i < w->numPartitions; i++) {
-        const double reserve = shareClassOf(w, i) >= FIRST ? funds * countBodies(w, i) / bodies : 0;
+        const double reserve = w->record[i].shareClass >= MDT_FIRST ? funds * countBodies(w, i) / bodies : 0;
         w->record[i].reserve = predictedWork(w, i) <= w->record[i].share + reserve ? reserve : 0;
         w->credit[MDT_NEEDED] -= w->record[i].reserve;
     }
@@ -240,12 +240,12 @@ static void lendReserves(MdtWorldID w) {
 static void divideAccounts(MdtWorldID w) {
     const double limit = mdt_stepShare * budgetOf(w);
     assignFreeShares(w);
-    assignShares(w, FIRST, METRUE, MDT_NEEDED, w->credit[MDT_NEEDED]);
-    assignShares(w, LOST, METRUE, MDT_NEEDED, w->credit[MDT_NEEDED]);
-    assignShares(w, STAYS_EXACT, METRUE, MDT_OPTIONAL, fmin(limit, w->credit[MDT_OPTIONAL]));
-    double left = assignShares(w, UNMET, MEFALSE, MDT_NEEDED, fmin(limit, w->credit[MDT_NEEDED]));
-    left = assignShares(w, STAYS_EXACT, MEFALSE, MDT_NEEDED, left);
-    assignShares(w, CERTIFIED, METRUE, MDT_OPTIONAL, w->credit[MDT_OPTIONAL]);
+    assignShares(w, MDT_FIRST, METRUE, MDT_NEEDED, w->credit[MDT_NEEDED]);
+    assignShares(w, MDT_LOST, METRUE, MDT_NEEDED, w->credit[MDT_NEEDED]);
+    assignShares(w, MDT_STAYS_EXACT, METRUE, MDT_OPTIONAL, fmin(limit, w->credit[MDT_OPTIONAL]));
+    double left = assignShares(w, MDT_UNMET, MEFALSE, MDT_NEEDED, fmin(limit, w->credit[MDT_NEEDED]));
+    left = assignShares(w, MDT_STAYS_EXACT, MEFALSE, MDT_NEEDED, left);
+    assignShares(w, MDT_CERTIFIED, METRUE, MDT_OPTIONAL, w->credit[MDT_OPTIONAL]);
     lendFunds(w, MEFALSE, left);
     lendFunds(w, METRUE, w->credit[MDT_NEEDED]);
     lendReserves(w);
@@ -374,6 +374,10 @@ MeBool mdt_choiceHasShare(const MdtIsland *p) {
            (isSatisfied || p->numContacts > 0);
 }
 
+double mdt_choicePayment(const MdtIsland *p) {
+    return mdt_payment[MDT_NEEDED] * budgetOf(p->world);
+}
+
 /* Further parts of a step that has not been declined may use more than its share. */
 double mdt_choiceBudget(const MdtIsland *p) {
     const double all = 1e6 * (double)p->world->workBudget;
@@ -411,6 +415,7 @@ MeBool mdt_choiceNeedsExact(const MdtIsland *p) {
 void mdt_choiceSwitchToExact(MdtIsland *p) {
     MEASSERT(p->isFast && p->numMembers == 0);
     if (isLost(p)) {
+        p->kea.parameters.acceptable = p->kea.report.residual;
         p->record->share += p->record->reserve;
         p->record->loan += p->record->reserve;
         p->record->reserve = 0;

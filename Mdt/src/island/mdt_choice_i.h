@@ -22,6 +22,8 @@ MeBool mdt_choiceIsInFlight(const MdtIsland *p);
  * with a share of exact work, and may decline it. */
 double mdt_choiceBudget(const MdtIsland *p);
 MeBool mdt_choiceHasShare(const MdtIsland *p);
+/* Multiplications that a step pays into the account of needed work. */
+double mdt_choicePayment(const MdtIsland *p);
 /* Makes the fast solver solve the rest of a step that the exact solver has started. */
 void mdt_choiceSwitchToFast(MdtIsland *p);
 /* True if the exact solver has to redo a part whose fast answer misses the accuracy. mdt_choiceSwitchToExact makes it

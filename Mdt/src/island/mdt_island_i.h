@@ -11,7 +11,8 @@ typedef struct MdtIslandManifold {
     /* pack */
     MdtPoint *point[MdtKeaMANIFOLDPOINTS];
     /* unpack */
-    double mean[MdtKeaMANIFOLDPOINTS][3]; /* N, mean force on the first body over the finished parts of the step */
+    double mean[MdtKeaMANIFOLDPOINTS][3];     /* N, mean force on the first body over the finished parts of the step */
+    double declined[MdtKeaMANIFOLDPOINTS][3]; /* N, by point: forces of an exact answer that was declined */
 } MdtIslandManifold;
 
 /* Whether a part of a step is a stage of the scheme of order 4 (mdt_compose.c), and its direction in time. */

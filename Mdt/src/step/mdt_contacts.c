@@ -240,6 +240,18 @@ void mdt_contactsClearForces(const MdtIsland *p) {
             keaZero(p->kea.manifolds[i].point[k].force);
 }
 
+void mdt_contactsKeepDeclined(const MdtIsland *p) {
+    for (int i = 0; i < p->kea.numManifolds; i++)
+        for (int k = 0; k < p->kea.manifolds[i].numPoints; k++)
+            keaCopy(p->manifolds[i].declined[k], p->kea.manifolds[i].point[k].force);
+}
+
+void mdt_contactsGuessDeclined(const MdtIsland *p) {
+    for (int i = 0; i < p->kea.numManifolds; i++)
+        for (int k = 0; k < p->kea.manifolds[i].numPoints; k++)
+            keaCopy(p->kea.manifolds[i].point[k].guess, p->manifolds[i].declined[k]);
+}
+
 static void unpackPoint(MdtKeaPoint *from, MdtPoint *point, const double mean[3], MeBool isGuess) {
     MEASSERT(from->numRows >= 0 && from->numRows <= MdtBclGETMAXROWSCONTACT + 3);
     point->numRows = (MeU8)from->numRows;

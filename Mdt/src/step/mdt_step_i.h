@@ -68,6 +68,9 @@ void mdt_contactsCarry(const MdtIsland *p);
  * zeroes them; mdt_contactsUnpack copies them to the contacts, with isGuess as warm start of the next part. */
 void mdt_contactsAddForces(const MdtIsland *p, double share);
 void mdt_contactsClearForces(const MdtIsland *p);
+/* Keeps the forces of an exact answer that was declined, and makes them the first guess of the next solve. */
+void mdt_contactsKeepDeclined(const MdtIsland *p);
+void mdt_contactsGuessDeclined(const MdtIsland *p);
 void mdt_contactsUnpack(const MdtIsland *p, MeBool isGuess);
 double mdt_contactsPenetration(const MdtIsland *p);
 

@@ -36,6 +36,7 @@ static double reserveWork(MdtIsland *p, double share) {
 void mdt_budgetGrant(MdtIsland *p) {
     const double share = p->kea.parameters.mayDecline ? p->record->share - p->exactWork : MDT_NO_BOUND;
     const double work = fmin(p->work, share);
+    p->kea.parameters.ordinaryWork = mdt_choicePayment(p);
     p->kea.parameters.maxWork = work < MDT_NO_BOUND ? fmax(work, 1) : 0;
     p->kea.parameters.maxIterations = p->world->maxLcpIterations == 0 ? 0 : p->iterations > 1 ? p->iterations : 1;
 }
@@ -222,9 +223,12 @@ void mdt_substepAdvanceRows(MdtIsland *p, double substep, int halvings) {
         advanceHalves(p, substep, halvings);
         return;
     case SWITCH_TO_FAST:
+        mdt_contactsKeepDeclined(p);
         mdt_choiceSwitchToFast(p);
         break;
     case SWITCH_TO_EXACT:
+        if (p->hasDeclined && p->numJoints == 0)
+            mdt_contactsGuessDeclined(p);
         mdt_choiceSwitchToExact(p);
         break;
     case SOLVE_REFUSED:

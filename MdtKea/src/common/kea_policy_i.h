@@ -42,6 +42,11 @@ static const double kea_loosePosition = 1e4, kea_looseVelocity = 1e5;
 /* Fraction of the loose tolerances at which passes by sweeps end, and those that gain nothing: a digit less, so that
  * rounding does not decide whether a swept answer is reported as capped. */
 static const double kea_sweptMargin = 0.1;
+/* The same of solves without joints that the world's accounts pay (MdtKeaParameters.mayDecline): 1e-3 of the speed.
+ * After KEA_ORDINARY_FACTORIZATIONS they end at the first pass that does not halve the residual: further ones mostly
+ * fail, and the account would soon be empty. Of 108 drums, balls and slabs of 1 to 100 t on 16 to 37 light cubes,
+ * planks and cylinders 11 sink, without 20 (Mst_Choice: a_drum_lands_on_layers_of_cubes_of_a_kilogram). */
+static const double kea_paidMargin = 10;
 
 /* Fraction of a body's own velocity in the speed scale of residuals, beside the load speed: a fast body's residuals
  * have the rounding of its speed. Higher values are lax for fast bodies, lower ones spend passes on rounding. */
@@ -93,6 +98,10 @@ enum {
      * accepted. Slabs that land on light cubes take 10 to 14 million multiplications instead of 27 to 46 (Mst_Choice);
      * with 2 tutorials take up to 42 % more instructions. */
     KEA_STUCK_PASSES = 12,
+    /* Factorizations of a step that its account pays after which it is content with kea_paidMargin. Steps of towers and
+     * of what rests take fewer; with 0 a tower of 100 layers of planks falls (Mst_Choice), with 48 a third more of
+     * the loads of kea_paidMargin sink. */
+    KEA_ORDINARY_FACTORIZATIONS = 12,
     /* Number of passes by sweeps among which the remaining work is divided: several, since each pass linearizes the
      * rows anew where the bodies have moved to (test_Mst_WorkBudget). */
     KEA_SWEPT_PASSES = 8,

@@ -310,7 +310,10 @@ static MeBool isLastPass(MdtKeaSystem *s, Passes *p) {
     const double share = s->parameters.mayDecline ? kea_workForMotion : kea_workForFriction;
     const MeBool isFrictionSpent =
         s->parameters.maxWork > 0 && q->counts.stuck > 0 && q->counts.work > share * s->parameters.maxWork;
-    if (isFrictionSpent && !q->counts.isLimited && kea_isExactEnough(&p->best, 1))
+    const MeBool isPaid = s->parameters.mayDecline && !s->work->hasJoints &&
+                          q->counts.work > s->parameters.ordinaryWork &&
+                          q->counts.factorizations > KEA_ORDINARY_FACTORIZATIONS;
+    if (isFrictionSpent && !q->counts.isLimited && kea_isExactEnough(&p->best, isPaid ? kea_paidMargin : 1))
         return METRUE;
     p->isLimited = q->counts.isLimited = q->counts.isLimited || isFrictionSpent;
     const MeBool isEnough =
@@ -318,8 +321,10 @@ static MeBool isLastPass(MdtKeaSystem *s, Passes *p) {
     const MeBool isCut = p->isLimited && (s->parameters.mayDecline || kea_isExactEnough(&p->e, kea_sweptMargin) ||
                                           !kea_problemMaySweep(q));
     const MeBool hasRunAway = isnan(p->e.worst) || (isinf(p->e.worst) && isfinite(p->best.worst) && !q->hasFriction);
-    const MeBool mayEnd = areChains(s) || (!s->work->hasJoints && kea_isExactEnough(&p->best, kea_sweptMargin));
-    const MeBool isStuck = mayEnd && p->pass - p->marked > KEA_STUCK_PASSES; /* of chains: the step is too long */
+    const double margin = isPaid ? kea_paidMargin : kea_sweptMargin;
+    const MeBool mayEnd = areChains(s) || (!s->work->hasJoints && kea_isExactEnough(&p->best, margin));
+    const int patience = isPaid ? 0 : KEA_STUCK_PASSES;
+    const MeBool isStuck = mayEnd && p->pass - p->marked > patience; /* of chains: the step is too long */
     return isEnough || isCut || hasRunAway || isStuck || p->pass == p->last;
 }
 
@@ -513,6 +518,11 @@ static double residualTolerance(const MdtKeaSystem *s) {
     return s->parameters.accuracy + kea_changeShare * max;
 }
 
+/* Whether an answer for which the work did not suffice is better than the one that would replace it. */
+static MeBool isAcceptable(const MdtKeaSystem *s) {
+    return !s->work->hasJoints && s->report.residual <= s->parameters.acceptable;
+}
+
 /* Declines the solve, which would take at least `work`: the bodies get the end states of free motion. */
 static void declineSolve(MdtKeaSystem *s, double work) {
     s->report.declined = s->report.limited = METRUE;
@@ -569,6 +579,6 @@ void kea_exactSolve(MdtKeaSystem *s) {
     if (s->parameters.timed && s->numRows > 0 && q->factor) /* null: there was no memory */
         kea_projectPositions(s);
     kea_reportWork(s);
-    s->report.declined = s->report.limited && s->parameters.mayDecline;
+    s->report.declined = s->report.limited && s->parameters.mayDecline && !isAcceptable(s);
     s->report.excess = s->report.capped ? s->report.residual / residualTolerance(s) : 0;
 }
