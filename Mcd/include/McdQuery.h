@@ -2,14 +2,14 @@
  *  Queries of a space besides line segments: overlaps, closest model, shape casts. Not in Karma 1.2.
  *
  *  All are legal only outside of change blocks (elsewhere: a warning and 0). They use the current transforms of
- *  models, but find models by their boxes as of the last update. The querying geometry must be convex (sphere, box,
- *  cylinder, sphyl, cone, convex mesh); it needs no model. Queries find models of convex geometries, planes,
- *  meshes, triangle lists and height fields, and aggregates of these. Meshes, lists and fields are surfaces here,
- *  without an inside: each triangle counts alone, from both sides; but casts and rays hit triangles that are not
- *  two-sided only from their front. If a filter is given, only models for which it returns non-zero are considered.
- *  Lists are in the order of sort keys, then creation; if there is not room for all, the last ones are left out.
- *  Lengths are in the program's unit, everything in the world frame. Frozen and disabled models are found like
- *  others; sensors (McdModelSetSensor) are not, unless McdSpaceSetQuerySensors enables it.
+ *  models, also for the children of aggregates, but find models by their boxes as of the last update. The querying
+ *  geometry must be convex (sphere, box, cylinder, sphyl, cone, convex mesh); it needs no model. Queries find models
+ *  of convex geometries, planes, meshes, triangle lists and height fields, and aggregates of these. Meshes, lists and
+ *  fields are surfaces here, without an inside: each triangle counts alone, from both sides; but casts and rays hit
+ *  triangles that are not two-sided only from their front. If a filter is given, only models for which it returns
+ *  non-zero are considered. Lists are in the order of sort keys, then creation; if there is not room for all, the last
+ *  ones are left out. Lengths are in the program's unit, everything in the world frame. Frozen and disabled models are
+ *  found like others; sensors (McdModelSetSensor) are not, unless McdSpaceSetQuerySensors enables it.
  */
 #ifndef MCDQUERY_H
 #define MCDQUERY_H

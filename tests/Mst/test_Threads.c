@@ -1,5 +1,5 @@
 /* Workers (MdtWorldSetTaskPool, MdtWorldSetTaskCallbacks): a simulation is the same to the last bit on any number of
- * threads, with any way of running tasks. */
+ * threads, with any way of running tasks. Queries may be made by several threads at once. */
 #include "Mst.h"
 #include "jobs.h"
 #include "karma_test.h"
@@ -257,6 +257,55 @@ TEST(two_universes_share_a_pool_at_once) {
         pthread_join(thread[t], NULL);
     ck_assert(hash[0] == alone && hash[1] == alone);
     MeTaskPoolDestroy(shared);
+}
+
+/* ---- queries ---- */
+
+enum { RAYS = 200, ASKING = 3 };
+
+typedef struct Asking {
+    McdSpaceID space;
+    pthread_t thread;
+    MeReal fraction[RAYS];
+} Asking;
+
+static void *castRays(void *asking) {
+    Asking *a = asking;
+    for (int i = 0; i < RAYS; i++) {
+        const MeVector3 from = {(MeReal)(-3 + .4 * (i % 20)), 9, (MeReal)(-3 + .8 * (i / 20))}, by = {0, -9, 0};
+        McdCastResult hit;
+        a->fraction[i] = McdSpaceCastRay(a->space, from, by, NULL, NULL, &hit) ? hit.fraction : 2;
+    }
+    return NULL;
+}
+
+/* Of compounds that fall, and that the first query places anew; by one thread after the other, or by all at once. */
+static void ask(Asking asking[ASKING], MeBool isAtOnce) {
+    Scene s;
+    makeWorld(&s);
+    const McdGeometryID g = stool(s.u->frame);
+    for (int i = 0; i < 64; i++)
+        MdtBodySetLinearVelocity(put(&s, g, -4 + 1.2 * (i % 8), 5 + .1 * (i % 5), -4 + 1.2 * (i / 8)), 0, -30, 0);
+    MstUniverseStep(s.u, FRAME);
+    messages_forget(); /* centres of mass */
+    McdSpaceEndChanges(MstUniverseGetSpace(s.u));
+    for (int t = 0; t < ASKING; t++) {
+        asking[t].space = MstUniverseGetSpace(s.u);
+        ck_assert_int_eq(pthread_create(&asking[t].thread, NULL, castRays, &asking[t]), 0);
+        if (!isAtOnce)
+            pthread_join(asking[t].thread, NULL);
+    }
+    for (int t = 0; t < ASKING && isAtOnce; t++)
+        pthread_join(asking[t].thread, NULL);
+    MstUniverseDestroy(s.u);
+}
+
+TEST(threads_may_ask_at_once) {
+    static Asking one[ASKING], all[ASKING];
+    ask(one, MEFALSE);
+    ask(all, METRUE);
+    for (int t = 0; t < ASKING; t++)
+        ck_assert(memcmp(all[t].fraction, one[0].fraction, sizeof one[0].fraction) == 0);
 }
 
 /* ---- settings, times, messages ---- */

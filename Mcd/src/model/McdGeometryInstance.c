@@ -77,8 +77,10 @@ MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins, c
 void mcd_instancePlaceChildren(McdGeometryInstance *ins) {
     const McdAggregate *aggregate = (const McdAggregate *)ins->geometry;
     const MeMatrix4Ptr tm = mcd_instanceTM(ins);
+    if (!ins->parent && ins->firstChild)
+        memcpy(ins->placed, tm, sizeof ins->placed);
     for (McdGeometryInstance *child = ins->firstChild; child; child = child->nextSibling) {
-        MEASSERT(child->element < aggregate->count && aggregate->element[child->element].geometry == child->geometry);
+        MEASSERT(child->element < aggregate->count); /* its geometry may be another: McdGeometryInstanceSetGeometry */
         const MeMatrix4Ptr relative = aggregate->element[child->element].relTM;
         MeMatrix4TMCompound(child->placed, mcd_const(relative), mcd_const(tm));
         child->isPlaced = mcd_isValidTransform(mcd_const(child->placed));

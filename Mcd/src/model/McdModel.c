@@ -112,6 +112,7 @@ static MeBool acquireGeometry(McdModelRecord *m, McdGeometryID g, const char *fu
         return MEFALSE;
     }
     McdGeometryIncrementReferenceCount(g);
+    memset(m->instance.placed, 0, sizeof m->instance.placed);
     MEVALIDATE(m->frame->modelCount > 100 || areModelsGood(m->frame));
     return METRUE;
 }
@@ -510,6 +511,17 @@ static void updateBoxes(McdGeometryInstance *ins, const MeMatrix4Ptr finalTM) {
 void mcd_modelRefresh(McdModelRecord *m) {
     mcd_instancePlaceChildren(&m->instance);
     updateBoxes(&m->instance, 0);
+}
+
+void mcd_modelPlaceChildren(McdModelRecord *m) {
+    atomic_int *const isLocked = &m->frame->placingIsLocked;
+    if (!m->instance.firstChild)
+        return;
+    while (atomic_exchange_explicit(isLocked, 1, memory_order_acquire)) {
+    }
+    if (!mcd_areChildrenPlaced(&m->instance))
+        mcd_instancePlaceChildren(&m->instance);
+    atomic_store_explicit(isLocked, 0, memory_order_release);
 }
 
 /* Calls the update callback; not again if the callback itself updates the model. */

@@ -66,7 +66,7 @@ struct _McdFramework {
     MeU64 round;                    /* counts rounds of pair tests; models do not change within a round */
     MeU64 changes;                  /* counts calls that change a shape or other inputs of collisions */
     struct McdScratch *freeScratch; /* unused scratches of queries (mcd_scratch_i.h) */
-    atomic_int scratchIsLocked;
+    atomic_int scratchIsLocked, placingIsLocked; /* spin locks: of freeScratch, and of mcd_modelPlaceChildren */
     /* Functions of spaces, set when the first space is created, so that programs without spaces do not link them.
      * spaceRemoveDestroyed: removes a model at once. spaceApplyFilter: for a model whose filter has changed. */
     void (*spaceRemoveDestroyed)(McdModelID cm);

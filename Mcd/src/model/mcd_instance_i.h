@@ -53,7 +53,7 @@ struct _McdGeometryInstance {
 
     McdModelID model;
     McdGeometryInstance *nextSibling; /* also links the free instances of the pool */
-    MeMatrix4 placed;                 /* a child's world transform, as of the last update */
+    MeMatrix4 placed;                 /* a child's world transform; of a model's own: that which places its children */
     double placedAxis[3][3];          /* mcd_shapeAxes of `placed`, if isPlaced */
     MeBool isPlaced;                  /* mcd_isValidTransform of `placed` */
     MeHandle handle;
@@ -87,6 +87,10 @@ static inline MeBool mcd_instanceIsPlaced(McdGeometryInstanceID ins) {
 MeBool mcd_instanceMakeChildren(McdFramework *frame, McdGeometryInstance *ins, const char *function);
 void mcd_instanceFreeChildren(McdFramework *frame, McdGeometryInstance *ins);
 void mcd_instancePlaceChildren(McdGeometryInstance *ins); /* recursively, from its own transform */
+/* Whether the children of a model's own instance, if there are any, are placed by its current transform. */
+static inline MeBool mcd_areChildrenPlaced(const McdGeometryInstance *own) {
+    return !own->firstChild || !own->tm || memcmp(own->placed, own->tm, sizeof own->placed) == 0;
+}
 
 /* The instance's material: its own, or else that of the nearest ancestor that has one. */
 unsigned int mcd_instanceMaterial(const McdGeometryInstance *ins);

@@ -158,6 +158,9 @@ void mcd_modelDestroy(McdModelRecord *m);
 MeBool mcd_modelPrecedes(const McdModelRecord *a, const McdModelRecord *b);
 /* Updates children and boxes from the current transform, without the update callback. */
 void mcd_modelRefresh(McdModelRecord *m);
+/* Places the children by the current transform, unless they are: for queries, since a step moves models after their
+ * update. Their boxes stay. Several threads may call it at once, while none changes the model. */
+void mcd_modelPlaceChildren(McdModelRecord *m);
 /* Whether the transform is valid and equal, to the last bit, to the one in `inputs`. */
 static inline MeBool mcd_isPlacedAsCompared(const McdModelRecord *m) {
     const MeMatrix4Ptr tm = m->instance.tm;

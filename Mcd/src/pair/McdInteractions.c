@@ -560,6 +560,7 @@ MeBool mcd_lineSegIntersect(McdModelID cm, MeReal *inOrig, MeReal *inDest, McdLi
     const McdTypeRecord *type = &m->frame->types[m->instance.geometry->type];
     if (!type->lineSegment || !mcd_modelIsPlaced(m))
         return MEFALSE;
+    mcd_modelPlaceChildren(m);
     const McdTypeCall call = mcd_typeEnter(m->frame, type);
     outOverlap->instance = &m->instance;
     outOverlap->element.ptr = 0;

@@ -140,8 +140,14 @@ static MeBool isComparedInRound(const McdModelRecord *m) {
     return m->comparedIn == m->frame->round;
 }
 
+/* The children of a frozen model, which is not updated, may be where a query placed them, or where it was when it was
+ * frozen. */
 MeU64 mcd_modelCompareInRound(McdModelRecord *m) {
-    return isComparedInRound(m) ? m->stamp : mcd_modelCompare(m);
+    if (isComparedInRound(m))
+        return m->stamp;
+    if (!mcd_areChildrenPlaced(&m->instance))
+        mcd_modelRefresh(m);
+    return mcd_modelCompare(m);
 }
 
 void MEAPI McdFrameworkBeginRound(McdFrameworkID frame) {

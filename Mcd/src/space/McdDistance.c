@@ -55,6 +55,8 @@ MeBool MEAPI McdDistance(McdModelPair *p, McdDistanceResult *result) {
     }
     mcd_pairOrigin(&a->instance, &b->instance, origin);
     MeStageBegin(&a->frame->stage, MCD_GUARD_MODELS);
+    mcd_modelPlaceChildren(a);
+    mcd_modelPlaceChildren(b);
     const MeBool isGood = measureInstances(&a->instance, &b->instance, origin, &nearest);
     MeStageEnd(&a->frame->stage, MCD_GUARD_MODELS);
     if (!isGood || nearest.distance == INFINITY)

@@ -48,6 +48,7 @@ static MeBool visitModel(void *context, int proxy) {
         n->modelRoom = room;
         n->scratch->nearModel = n->model;
     }
+    mcd_modelPlaceChildren(mcd_record(cm));
     n->model[n->modelCount++] = cm;
     return METRUE;
 }

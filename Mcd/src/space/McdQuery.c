@@ -100,6 +100,7 @@ static MeBool nearestChild(const Query *q, McdModelID cm, ChildGap *nearest) {
     nearest->gap.distance = INFINITY;
     if (!mcd_modelIsPlaced(mcd_record(cm)))
         return MEFALSE;
+    mcd_modelPlaceChildren(mcd_record(cm));
     for (McdGeometryInstance *child = firstLeaf(&mcd_record(cm)->instance); child; child = nextLeaf(child))
         if (mcd_measureGap(&q->shape, child, q->self, q->origin, q->reach, &gap) &&
             gap.distance < nearest->gap.distance)
@@ -226,6 +227,7 @@ int MEAPI McdSpaceOverlapModel(McdSpaceID space, McdModelID cm, McdLineSegInters
         return 0;
     McdFramework *frame = m->frame;
     MeStageBegin(&frame->stage, MCD_GUARD_MODELS);
+    mcd_modelPlaceChildren(m);
     for (McdGeometryInstance *child = firstLeaf(&m->instance); child; child = nextLeaf(child)) {
         if (!setQueryShape(&q, child->geometry, mcd_const(mcd_instanceTM(child))))
             break;
@@ -504,6 +506,7 @@ static void castOntoChild(Cast *c, McdModelID cm, McdGeometryInstance *child) {
 static void castOntoModel(Cast *const c[], int count, McdModelID cm) {
     if (count == 0 || !mcd_modelIsPlaced(mcd_record(cm)))
         return;
+    mcd_modelPlaceChildren(mcd_record(cm));
     for (McdGeometryInstance *child = firstLeaf(&mcd_record(cm)->instance); child; child = nextLeaf(child)) {
         if (!mcd_instanceIsPlaced(child))
             continue;

@@ -622,9 +622,11 @@ static MeBool isComparedBeforeUpdate(const McdSpace *s, McdModelRecord *m) {
     return !m->update && !s->update && !m->relTM && mcd_modelCompare(m) != 0;
 }
 
-/* Whether the box and margin of a model that has been compared are still valid. */
+/* Whether the box and margin of a model that has been compared are still valid, and its children at their places: a
+ * query may have placed them where the model was meanwhile. */
 static MeBool isUpToDate(const McdSpace *s, const McdModelRecord *m, MeReal duration) {
-    return m->stamp == m->boxStamp && m->boxDuration == duration && m->boxLookAhead == s->lookAhead;
+    return m->stamp == m->boxStamp && m->boxDuration == duration && m->boxLookAhead == s->lookAhead &&
+           mcd_areChildrenPlaced(&m->instance);
 }
 
 /* Marks the box as valid. A changed margin makes a new stamp, since pair tests depend on it. */
