@@ -95,6 +95,7 @@ struct MstUniverse {
     MstBridgeID bridge;          /**< Makes contacts of touching pairs. */
     MstUniverseSizes sizes;      /**< As given to MstUniverseCreate. */
     struct MstVehicle *vehicles; /**< Private. */
+    struct MstMover *movers;     /**< Private. */
 };
 
 ME_END_C

@@ -38,12 +38,12 @@ MEPUBLIC McdSpaceID MEAPI MstUniverseGetSpace(const MstUniverseID u);
 MEPUBLIC MstBridgeID MEAPI MstUniverseGetBridge(const MstUniverseID u);
 /**
  * Moves the origin to the point @a shift, between steps: all coordinates lose it, those of bodies, models, joints,
- * contacts and boxes, with what the universe keeps of them, so that contacts, warm starts and touches go on, and
- * sleepers sleep on. Matrices that the program has given to models without a body, or as references of relative ones,
- * are written to, each once. It is for worlds that are so large that coordinates have no digits left. Coordinates that
- * are shifted without rounding move on bit for bit as without the shift. Events of the last step keep the old
- * coordinates. A shift that is not finite, or that takes a body beyond its bound, gets a warning, and changes nothing.
- * Beyond Karma.
+ * contacts, boxes, vehicles and movers, with what the universe keeps of them, so that contacts, warm starts and
+ * touches go on, and sleepers sleep on. Matrices that the program has given to models without a body, or as references
+ * of relative ones, are written to, each once. It is for worlds that are so large that coordinates have no digits
+ * left. Coordinates that are shifted without rounding move on bit for bit as without the shift. Events of the last
+ * step keep the old coordinates. A shift that is not finite, or that takes a body or mover beyond its bound, gets a
+ * warning, and changes nothing. Beyond Karma.
  */
 MEPUBLIC void MEAPI MstUniverseShiftOrigin(const MstUniverseID u, const MeVector3 shift);
 

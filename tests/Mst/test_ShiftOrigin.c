@@ -1,5 +1,6 @@
 /* Moving the origin (MstUniverseShiftOrigin): everything goes on as it would have, and what sleeps sleeps on. */
 #include "MstEvents.h"
+#include "MstMover.h"
 #include "universe.h"
 
 #define STEP (1. / 64) /* exact, as gravity is: free motion has no rounding */
@@ -145,6 +146,91 @@ LOOP_TEST(sleepers_sleep_on, 0, SOLVERS) {
     McdModelDynamicsSetPosition(ball, 1024, -512, 256 + 5);
     step(120);
     ck_assert(place(ball, 2) > 256 + 3);
+}
+
+/* ---- characters ---- */
+
+enum { WALK = 90, JUMP = 30 };
+
+/* One that walks over the floor, or on a deck that turns and rises; it jumps. `result`: where it is after each step,
+ * its velocity, and that of its ground, the origin being moved before step `when`. The deck has its target then. */
+static void walk(MeBool isOnDeck, int when, double result[WALK][9]) {
+    static const double shift[3] = {64, -32, 16};
+    const MeVector3 start = {1, 0, isOnDeck ? 1 : 0};
+    MstMoverParams params;
+    MstMoverResult at = {.flags = 0};
+    double by[3] = {0, 0, 0};
+    begin(0);
+    addGround();
+    const McdModelID deck = MstModelAndBodyCreate(u, McdBoxCreate(u->frame, 8, 8, 1), 1);
+    MdtBodySetKinematic(McdModelGetBody(deck), METRUE);
+    McdModelDynamicsSetPosition(deck, isOnDeck ? 0 : -20, 0, .5);
+    step(1);
+    MstMoverSetDefaults(&params, u);
+    const MstMoverID mover = MstMoverCreate(u, &params, start);
+    for (int i = 0; i < WALK; i++) {
+        const double angle = .01 * i, height = .5 + .01 * i;
+        const MeVector3 to = {(MeReal)((isOnDeck ? 0 : -20) - by[0]), (MeReal)-by[1], (MeReal)(height - by[2])};
+        const MeVector4 q = {(MeReal)cos(angle / 2), 0, 0, (MeReal)sin(angle / 2)};
+        const MeReal up = i == JUMP ? 4 : at.flags & kMstMoverOnGround ? 0 : at.velocity[2] - (MeReal)(8 * STEP);
+        const MeVector3 want = {1, .5, up};
+        MdtBodyMoveTo(McdModelGetBody(deck), to, q);
+        if (i == when) {
+            shiftBy(shift[0], shift[1], shift[2]);
+            memcpy(by, shift, sizeof by);
+        }
+        MstMoverMove(mover, want, (MeReal)STEP, &at);
+        step(1);
+        for (int k = 0; k < 3; k++) {
+            result[i][k] = (double)at.position[k] + by[k];
+            result[i][3 + k] = (double)at.velocity[k];
+            result[i][6 + k] = (double)at.groundVelocity[k];
+        }
+    }
+    MstMoverDestroy(mover);
+}
+
+LOOP_TEST(characters_go_on_as_they_would_have, 0, 2) {
+    static const int whens[] = {JUMP - 15, JUMP - 1, JUMP, JUMP + 1, JUMP + 10, WALK - 5};
+    static double still[WALK][9], shifted[WALK][9];
+    walk(_i, -1, still);
+    ck_assert(still[JUMP + 10][2] > still[JUMP - 1][2] + .3);
+    for (int w = 0; w < 6; w++) {
+        walk(_i, whens[w], shifted);
+        for (int i = 0; i < WALK; i++)
+            for (int k = 0; k < 9; k++)
+                assert_near(shifted[i][k], still[i][k], k < 3 ? TOL(1e-4, 2e-14) : TOL(1e-3, 5e-12));
+    }
+}
+
+TEST(a_shift_may_not_take_a_character_out_of_bounds) {
+    const MeVector3 start = {(MeReal)16e6, 0, 0};
+    const MeVector3 shift = {(MeReal)-2e6, 0, 0};
+    MstMoverParams params;
+    MeVector3 place;
+    begin(0);
+    addGround();
+    MstMoverSetDefaults(&params, u);
+    const MstMoverID mover = MstMoverCreate(u, &params, start), other = MstMoverCreate(u, &params, start);
+    assert_refused(MstUniverseShiftOrigin, u, shift);
+    MstMoverGetPosition(mover, place);
+    ck_assert(place[0] == start[0] && floorPlace[3][0] == 0);
+    MstMoverDestroy(mover);
+    assert_refused(MstUniverseShiftOrigin, u, shift);
+    MstMoverDestroy(other);
+    MstUniverseShiftOrigin(u, shift);
+    ck_assert(floorPlace[3][0] == -shift[0]);
+}
+
+TEST(characters_may_outlive_their_universe) {
+    const MeVector3 start = {0, 0, 0};
+    MstMoverParams params;
+    begin(0);
+    MstMoverSetDefaults(&params, u);
+    const MstMoverID mover = MstMoverCreate(u, &params, start);
+    universe_end(NULL);
+    assert_refused(MstMoverMove, mover, start, 1, NULL);
+    MstMoverDestroy(mover);
 }
 
 /* Matrices of the program: each once, and models that it moves go on. */

@@ -11,9 +11,9 @@ ROOMS = {  # library: room: the other rooms whose functions it may call, and who
             'step': 'base record api island', 'world': 'base record island step'},
     'Mcd': {'convex': '', 'model': 'convex', 'surface': 'convex model', 'pair': 'convex model surface',
             'geometry': 'convex model surface pair', 'space': 'convex model surface pair geometry'},
-    'Mst': {'bridge': '', 'touch': 'bridge', 'step': 'bridge touch', 'universe': 'bridge touch step vehicle', 'vehicle': 'bridge',
-            'mover': 'bridge',
-            'advise': 'bridge touch step universe vehicle'},
+    'Mst': {'bridge': '', 'touch': 'bridge', 'step': 'bridge touch', 'universe': 'bridge touch step vehicle mover',
+            'vehicle': 'bridge', 'mover': 'bridge',
+            'advise': 'bridge touch step universe vehicle mover'},
 }
 
 

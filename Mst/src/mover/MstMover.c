@@ -111,16 +111,51 @@ MstMoverID MEAPI MstMoverCreate(MstUniverseID u, const MstMoverParams *params, c
     m->space = u->space;
     setParams(m, params);
     fromReal(m->foot, position);
+    m->next = u->movers;
+    u->movers = m;
     MeHandleEnter(&m->handle, m, MST_MOVER);
     return m;
+}
+
+static void leaveUniverse(MstMoverID m) {
+    MstMover **at = &m->universe->movers;
+    while (*at != m)
+        at = &(*at)->next;
+    *at = m->next;
 }
 
 void MEAPI MstMoverDestroy(MstMoverID m) {
     if (!m || !isMover(m, "MstMoverDestroy"))
         return;
+    if (m->universe)
+        leaveUniverse(m);
     MeHandleLeave(&m->handle);
     m->magic = 0;
     MeMemoryGive(m);
+}
+
+void mst_moversLeave(MstUniverse *u) {
+    for (MstMover *m = u->movers; m; m = m->next) {
+        m->universe = 0;
+        m->space = 0;
+    }
+    u->movers = 0;
+}
+
+MeBool mst_moversMayShift(const MstUniverse *u, const double by[3]) {
+    for (const MstMover *m = u->movers; m; m = m->next)
+        for (int i = 0; i < 3; i++)
+            if (!(fabs(m->foot[i] + by[i]) <= maxPlace))
+                return MEFALSE;
+    return METRUE;
+}
+
+/* The ground's point too: what the ground has moved since the last move is the same. */
+void mst_moversShift(const MstUniverse *u, const double by[3]) {
+    for (MstMover *m = u->movers; m; m = m->next) {
+        mst_mad(m->foot, m->foot, 1, by);
+        mst_mad(m->anchorPlace, m->anchorPlace, 1, by);
+    }
 }
 
 void MEAPI MstMoverSetPosition(MstMoverID m, const MeVector3 position) {

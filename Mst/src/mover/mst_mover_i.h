@@ -16,7 +16,8 @@ enum { MST_MOVER = 0x4d4d4f56, MST_MOVER_CONTACTS = 48, MST_MOVER_PUSHED = 8 };
 struct MstMover {
     MeU32 magic;
     MeHandle handle;
-    MstUniverseID universe;
+    MstUniverseID universe; /* null: it has been destroyed */
+    struct MstMover *next;  /* in the universe's list, the newest first */
     McdSpaceID space;
     McdLineSegIntersectEnableCallback filter;
     void *filterData;
@@ -97,6 +98,15 @@ static inline double mst_length(const double a[3]) {
 static inline void mst_across(double out[3], const double a[3], const double unit[3]) {
     mst_mad(out, a, -mst_dot(a, unit), unit);
 }
+
+/* ---- for the universe (MstMover.c) ---- */
+
+/* Adds a vector to the coordinates of all movers. */
+void mst_moversShift(const MstUniverse *u, const double by[3]);
+/* Whether that leaves all of them within the bound of positions. */
+MeBool mst_moversMayShift(const MstUniverse *u, const double by[3]);
+/* Takes the universe from its movers, which the program still owns. */
+void mst_moversLeave(MstUniverse *u);
 
 /* ---- planes (mst_planes.c) ---- */
 

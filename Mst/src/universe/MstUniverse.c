@@ -11,6 +11,7 @@
 #include "MeMessage.h"
 #include "MeProfile.h"
 #include "MeTeam.h"
+#include "mover/mst_mover_i.h"
 #include "step/mst_step_i.h"
 #include "universe/mst_universe_i.h"
 #include "vehicle/mst_vehicle_i.h"
@@ -69,6 +70,7 @@ MeBool mst_universeIsFree(MstUniverseID u, const char *function) {
 /* Destroys the members that exist: not all may have been created, and the program may have destroyed some. */
 static void destroyMembers(MstUniverse *u) {
     mst_vehiclesDestroy(u);
+    mst_moversLeave(u);
     if (McdSpaceIsValid(u->space))
         McdSpaceDestroy(u->space);
     if (McdFrameworkIsValid(u->frame)) {

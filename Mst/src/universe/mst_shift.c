@@ -10,6 +10,7 @@
 #include "MdtWorld.h"
 #include "MeInternal.h"
 #include "MeMessage.h"
+#include "mover/mst_mover_i.h"
 #include "step/mst_step_i.h"
 #include "universe/mst_universe_i.h"
 #include "vehicle/mst_vehicle_i.h"
@@ -99,14 +100,15 @@ static void shiftTouches(MstBridgeRecord *b, const double by[3]) {
 
 static void shiftAll(Shift *s, const MstUniverse *u) {
     gather(s, u);
-    if (!MdtWorldShift(u->world, s->by)) {
-        MeWarning(1, "MstUniverseShiftOrigin: the shift takes a body too far (MdtBodyGetPositionBound); nothing is "
-                     "changed");
+    if (!mst_moversMayShift(u, s->by) || !MdtWorldShift(u->world, s->by)) {
+        MeWarning(1, "MstUniverseShiftOrigin: the shift takes a body or mover too far (MdtBodyGetPositionBound); "
+                     "nothing is changed");
         return;
     }
     shiftMatrices(s);
     mst_shiftMoved(u->world, s->by);
     mst_vehiclesShift(u, s->by);
+    mst_moversShift(u, s->by);
     shiftModels(s, u);
     shiftTouches((MstBridgeRecord *)u->bridge, s->by);
 }
