@@ -5,6 +5,7 @@
 
 static MeMatrix4 ground[20];
 static int grounds;
+static MeBool isGroundKinematic; /* each is a kinematic body at rest */
 static MeU32 seed;
 
 static double between(double low, double high) {
@@ -15,6 +16,7 @@ static double between(double low, double high) {
 static void begin(double gravity, double friction) {
     universe_begin(&MstUniverseGrowingSizes);
     grounds = 0;
+    isGroundKinematic = MEFALSE;
     seed = 1;
     MdtWorldSetGravity(u->world, 0, 0, (MeReal)-gravity);
     MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)friction, 0);
@@ -22,6 +24,15 @@ static void begin(double gravity, double friction) {
 
 static void addFixed(McdGeometryID g, double x, double y, double z) {
     MeMatrix4Ptr tm = ground[grounds++];
+    if (isGroundKinematic) {
+        const McdModelID m = McdModelCreate(g);
+        McdModelSetBody(m, MdtBodyCreate(u->world));
+        McdSpaceInsertModel(u->space, m);
+        MdtBodySetKinematic(McdModelGetBody(m), METRUE);
+        McdModelDynamicsSetPosition(m, (MeReal)x, (MeReal)y, (MeReal)z);
+        MdtBodyEnable(McdModelGetBody(m));
+        return;
+    }
     MeMatrix4TMMakeIdentity(tm);
     MeVector3Set(tm[3], (MeReal)x, (MeReal)y, (MeReal)z);
     MstFixedModelCreate(u, g, tm);
@@ -222,14 +233,16 @@ static McdModelID putAny(int i, double x, double y, double z) {
     return m;
 }
 
-LOOP_TEST(all_shapes_come_to_rest_on_terrain, 0, TERRAINS) {
+/* On terrain that is fixed, or a kinematic body. */
+LOOP_TEST(all_shapes_come_to_rest_on_terrain, 0, 2 * TERRAINS) {
     enum { COUNT = 16 };
     McdModelID m[COUNT];
     int asleep = 0;
     begin(9.81, .6);
     MdtContactParamsSetRollingFriction(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).02);
     MdtContactParamsSetSpinningFriction(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal).02);
-    addTerrain(_i);
+    isGroundKinematic = _i >= TERRAINS;
+    addTerrain(_i % TERRAINS);
     for (int i = 0; i < COUNT; i++)
         m[i] = putAny(i, -4.5 + 3 * (i % 4), -4.5 + 3 * (i / 4), 2 + .3 * (i % 3));
     universe_step(900);

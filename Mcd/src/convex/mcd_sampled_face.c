@@ -555,6 +555,10 @@ static double smoothRadius(const McdSampled *s, const double n[3], const double 
                : 0;
 }
 
+/* rad/s: what turns more slowly does not roll: in 1/60 s less than the root of a double's rounding. What is at rest has
+ * a spin of 1e-10 rad/s, and none asleep: its contacts are to stay the same. */
+static const double slowestRolling = 1e-6;
+
 /* The direction in which the contact moves over the surface as the shape turns; false: it does not turn. */
 static MeBool rollingDirection(const McdShape *shape, const double outward[3], double across[3]) {
     double spin[3], moves[3];
@@ -563,7 +567,7 @@ static MeBool rollingDirection(const McdShape *shape, const double outward[3], d
     mcd_fromReal(spin, shape->spin);
     mcd_cross(moves, outward, spin);
     const double speed = mcd_length(moves);
-    if (!(speed > 0 && speed < INFINITY))
+    if (!(speed > slowestRolling && speed < INFINITY))
         return MEFALSE;
     mcd_scale(moves, moves, 1 / speed);
     mcd_sampledDirection(shape, moves, across);
