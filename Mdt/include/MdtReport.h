@@ -90,7 +90,7 @@ typedef struct MdtReport {
     MeReal excess;
     MeReal residualForce; /**< N: largest change of a row's force that would remove that velocity (angular: N m) */
     MeReal jointError;    /**< m: largest error of a joint relative to the correction due in this step (angular: rad) */
-    MeReal jointGap;      /**< m: largest position error of a joint at the end of the step */
+    MeReal jointGap;      /**< m: largest position error of a joint at the end of the step; of a stop if it is passed */
     MeReal jointTurn;     /**< rad: largest angle error of a joint at the end of the step */
     MeReal penetration;   /**< m: of the deepest contact at the start of the step; 0 without overlaps, or at rest */
     /* energy at the end of the step */

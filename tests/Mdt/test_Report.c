@@ -84,6 +84,37 @@ TEST(a_joint_that_is_apart_tells_its_gap) {
     }
 }
 
+/* A slider with stops at -1 and 1 m that starts at `x`, with speed v along its axis. */
+static MdtReport slide(double x, double v, double gamma) {
+    MdtWorldID w = reportedWorld(1, 1, 0);
+    MdtBodyID b = scene_body(w, 1, 0, 0, 0);
+    MdtPrismaticID j = MdtPrismaticCreate(w);
+    MdtWorldSetGamma(w, gamma);
+    MdtWorldSetEpsilon(w, 0);
+    MdtPrismaticSetBodies(j, b, 0);
+    MdtPrismaticSetAxis(j, 1, 0, 0);
+    MdtPrismaticEnable(j);
+    const MdtLimitID limit = MdtPrismaticGetLimit(j);
+    MdtSingleLimitSetStop(MdtLimitGetLowerLimit(limit), -1);
+    MdtSingleLimitSetStop(MdtLimitGetUpperLimit(limit), 1);
+    MdtLimitActivateLimits(limit, METRUE);
+    MdtBodySetPosition(b, x, 0, 0);
+    MdtBodySetLinearVelocity(b, v, 0, 0);
+    MdtWorldStep(w, FRAME);
+    return reportOf(w);
+}
+
+/* Such a row is there before the stop is reached: how far it is away is no gap, how far it is passed is. */
+TEST(a_stop_that_is_not_reached_is_no_gap) {
+    for (int side = -1; side <= 1; side += 2) {
+        const MdtReport open = slide(side * (1 - 1.5 * (double)FRAME), side, .2), passed = slide(side * 1.02, 0, 0);
+        ck_assert_int_eq(open.rows, 6);
+        assert_near(open.jointGap, 0, TOL(1e-7, 1e-9));
+        ck_assert_int_eq(passed.rows, 6);
+        assert_near(passed.jointGap, .02, TOL(1e-6, 1e-9));
+    }
+}
+
 TEST(an_axis_that_is_off_tells_its_angle) {
     HingedBar s = scene_hingedBar(0);
     MeReal half = .05; /* the bar is turned by 0.1 rad about x: its axis leaves z */

@@ -167,6 +167,11 @@ static void addSquare(double *sum, double x) {
     *sum += x * x;
 }
 
+/* The error of a position row; of a stop, which only pushes, how far it is passed. */
+static double violationOf(const MdtKeaRow *row, double error) {
+    return row->lower >= 0 ? fmin(error, 0) : row->upper <= 0 ? fmax(error, 0) : error;
+}
+
 /* Measures a joint's gap and angle at the end of a part. Its rows are orthogonal to each other, so that their errors
  * add up like components of a vector. The drift of moving attachments is subtracted. */
 static void measureJoint(MdtReport *r, const MdtJoint *j, const MdtIsland *p) {
@@ -182,7 +187,7 @@ static void measureJoint(MdtReport *r, const MdtJoint *j, const MdtIsland *p) {
             keaDot(rows[i].J[0].lin, rows[i].J[0].lin) + keaDot(rows[i].J[1].lin, rows[i].J[1].lin) > 0;
         if (rows[i].position && !rows[i].isTail)
             addSquare(isLinear ? &linearError : &angularError,
-                      errors[i] - kea->parameters.stepsize * (rows[i].drift + rows[i].carried));
+                      violationOf(&rows[i], errors[i] - kea->parameters.stepsize * (rows[i].drift + rows[i].carried)));
     }
     raiseMax(&r->jointGap, sqrt(linearError));
     raiseMax(&r->jointTurn, sqrt(angularError));
