@@ -177,13 +177,13 @@ static double horizonOf(const McdApproach *p, MeBool hasContacts) {
 
 /* s: a time, from `time`, at which the depth is at most `depth` and nearly that. max: it is not reached, but the shapes
  * close. INFINITY: on the way they do not close any more, or slowly. */
-static double timeToDepth(const McdApproach *p, double depth, double time, double max) {
+static double timeToDepth(const McdApproach *p, double depth, double slack, double time, double max) {
     double n[3], at[3];
     for (int i = 0; i < DIRECTIONS && time < max; i++) {
         const double distance = gapAt(p, time, n, at), closing = closingSpeed(p, n);
         if (closing <= p->slow)
             return INFINITY;
-        if (distance <= -.9 * depth)
+        if (distance <= slack - depth)
             return time;
         time += (distance + depth) / closing;
     }
@@ -203,9 +203,9 @@ static double impactOfNear(const McdApproach *p, double gap, double max) {
     case kMcdNearPass:
         return max;
     case kMcdNearYield:
-        return fmin(timeToDepth(p, p->margin - MeMIN(gap, 0), 0, known), known);
+        return fmin(timeToDepth(p, p->margin - MeMIN(gap, 0), .1 * p->margin, 0, known), known);
     case kMcdNearBlock:
-        return timeToDepth(p, -gap, 0, max) < max ? 0 : max;
+        return timeToDepth(p, -gap, .1 * fabs(gap), 0, max) < max ? 0 : max;
     }
     return max;
 }
@@ -233,7 +233,7 @@ static double knownImpact(const McdApproach *p, const McdApproach *free, double 
     double n[3], at[3];
     const double straight = beginOfTouch(p, from, to, max);
     const double fall = p->isFalling ? beginOfTouch(free, from, to, max) : max;
-    if (straight < max && timeToDepth(p, p->margin, straight, max) <= max)
+    if (straight < max && timeToDepth(p, p->margin, .1 * p->margin, straight, max) <= max)
         return fmin(straight, fall);
     return fall < max && gapAt(p, fall, n, at) > p->margin ? fall : max;
 }
