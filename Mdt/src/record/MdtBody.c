@@ -1068,13 +1068,21 @@ void MEAPI MdtBodyGetFreeAcceleration(const MdtBodyID b, MeVector3 a) {
     }
 }
 
-/* Euler's equation: I dw/dt = L x w. */
+/* Euler's equations: I_i dw_i/dt = (I_j - I_k) w_j w_k about the principal axes. The momentum L and the energy T stay,
+ * so that |w_i| is at most L / I_i and sqrt(2 T / I_i). */
 MeReal MEAPI MdtBodyGetFreeSpinRate(const MdtBodyID b) {
     MDT_NEED_BODY(b, 0);
-    const double *moments = b->kea.moments;
-    double torque[3];
-    keaCross(torque, b->kea.angularMomentum, b->spin);
-    return mdt_real(sqrt(keaDot(torque, torque)) / fmin(moments[0], fmin(moments[1], moments[2])));
+    const double *I = b->kea.moments, momentum = keaLength(b->kea.angularMomentum);
+    const double energy = fmax(keaDot(b->kea.angularMomentum, b->spin), 0); /* twice the energy */
+    double max[3], square = 0;
+    for (int i = 0; i < 3; i++)
+        max[i] = fmin(momentum / I[i], sqrt(energy / I[i]));
+    for (int i = 0; i < 3; i++) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double rate = (I[j] - I[k]) / I[i] * max[j] * max[k];
+        square += rate * rate;
+    }
+    return mdt_real(sqrt(square));
 }
 
 BODY_GETTER(MeBool, MdtBodyCoriolisForceIsEnabled, 0, (b->kea.flags & MdtKeaBodyFlagAddCoriolisForce) != 0)
