@@ -164,7 +164,7 @@ static double firstTouch(const McdApproach *p, double time, double maxTime, doub
 static double unknownAcceleration(const McdMover *m, MeBool hasContacts) {
     const double core = coreOf(m), turn = hasContacts ? coreSpin(m) : 0, all = hasContacts ? mcd_length(m->spin) : 0;
     const double tips = hasContacts && core + m->arm > 0 ? mcd_length(m->acceleration) : 0;
-    return (m->spinRate + all * all) * m->arm + (m->spinRate + turn * turn) * core + tips;
+    return (m->spinRate + all * all) * m->arm + (m->spinRate + turn * turn) * core + tips + m->bend;
 }
 
 /* s: how long the shapes' points are known to within the margin: acceleration t² / 2. */
@@ -241,12 +241,13 @@ static double knownImpact(const McdApproach *p, const McdApproach *free, double 
 /* Kind of a ball. */
 static const McdKind ballKind = {.support = mcd_pointSupport, .face = mcd_pointFace, .rank = MCD_RANK_SPHERE};
 
-/* Replaces a mover that turns by the ball about its pivot that it does not leave. */
-static void boundByBall(McdMover *m) {
-    if (mcd_dot(m->spin, m->spin) == 0)
+/* Replaces a mover that turns, or leaves its uniform motion, by the ball about its pivot that it does not leave in the
+ * time. */
+static void boundByBall(McdMover *m, double time) {
+    if (mcd_dot(m->spin, m->spin) == 0 && m->bend == 0)
         return;
     m->start.kind = &ballKind;
-    m->start.rounding = m->start.extent = m->arm + m->start.extent;
+    m->start.rounding = m->start.extent = m->arm + m->start.extent + m->bend * time * time / 2;
     mcd_copy(m->start.place, m->pivot);
     mcd_set(m->spin, 0, 0, 0);
     m->arm = 0;
@@ -257,9 +258,9 @@ static double unknownImpact(const McdApproach *free, double from, double to, dou
     McdApproach bound = *free;
     double n[3], at[3];
     MeBool touches;
-    boundByBall(&bound.shape);
+    boundByBall(&bound.shape, max);
     if (!free->isHalfSpace)
-        boundByBall(&bound.other);
+        boundByBall(&bound.other, max);
     const double gap = gapAt(&bound, from, n, at);
     if (gap <= free->touch)
         return from;

@@ -14,6 +14,7 @@ typedef struct McdMover {
     double pivot[3], velocity[3], spin[3]; /* relative to the query's origin, m; m/s; rad/s */
     double acceleration[3];                /* m/s² */
     double spinRate;                       /* rad/s², how fast the spin may change */
+    double bend;                           /* m/s², how fast the pivot may leave its uniform motion */
     double arm;                            /* m, from the pivot to the shape's origin */
 } McdMover;
 

@@ -8,7 +8,7 @@
 
 /* A model's motion, relative to the pair's origin. */
 typedef struct Motion {
-    double centre[3], velocity[3], spin[3], acceleration[3], spinRate;
+    double centre[3], velocity[3], spin[3], acceleration[3], spinRate, bend; /* as of McdMover */
 } Motion;
 
 typedef struct Search {
@@ -30,10 +30,11 @@ static void setMotion(Motion *m, const McdMotion *from, const double origin[3]) 
     mcd_fromReal(m->spin, from->spin);
     mcd_fromReal(m->acceleration, from->acceleration);
     m->spinRate = (double)from->spinRate;
+    m->bend = 0;
 }
 
-/* The motion of one model as seen from the other, which is then at rest. If that one turns, it is exact to first order
- * in time. */
+/* The motion of one model as seen from the other, which is then at rest. If that one turns, with w, it is exact to
+ * first order in time: the path bends by Coriolis' 2 w x v and the centrifugal w x (w x r). */
 static Motion relativeMotion(const Motion *m, const Motion *other) {
     Motion relative = *m;
     double arm[3], velocity[3];
@@ -44,6 +45,8 @@ static Motion relativeMotion(const Motion *m, const Motion *other) {
     mcd_sub(relative.spin, m->spin, other->spin);
     mcd_sub(relative.acceleration, m->acceleration, other->acceleration);
     relative.spinRate = m->spinRate + other->spinRate;
+    const double rate = mcd_length(other->spin);
+    relative.bend = rate * (2 * mcd_length(relative.velocity) + rate * mcd_length(arm));
     return relative;
 }
 
@@ -53,11 +56,12 @@ static void setMover(McdMover *mover, const McdShape *shape, const Motion *m) {
     mcd_copy(mover->spin, m->spin);
     mcd_copy(mover->acceleration, m->acceleration);
     mover->spinRate = m->spinRate;
+    mover->bend = m->bend;
 }
 
 /* m: no point of the mover is farther from its pivot as that moves without acceleration. */
 static double reachOf(const Search *s, const McdMover *m) {
-    return m->arm + m->start.extent + mcd_length(m->acceleration) * s->whole * s->time / 2;
+    return m->arm + m->start.extent + (mcd_length(m->acceleration) + m->bend) * s->whole * s->time / 2;
 }
 
 static McdApproach approachOf(const Search *s, double extent) {
