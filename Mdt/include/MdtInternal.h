@@ -50,6 +50,9 @@ MEPUBLIC int MEAPI MdtWorldAdvanceLag(const MdtWorldID w);
  *  the velocities that follow from targets. */
 MEPUBLIC void MEAPI MdtWorldBeginMovers(const MdtWorldID w, const MeReal h);
 
+/** Whether a mover moves in this step. */
+MEPUBLIC MeBool MEAPI MdtBodyIsMoving(const MdtBodyID b);
+
 /** MdtBodyIsKinematic of a live body, without its check. */
 MEPUBLIC MeBool MEAPI MdtBodyIsMover(const MdtBodyID b);
 

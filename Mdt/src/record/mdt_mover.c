@@ -191,6 +191,11 @@ static void beginMover(MdtMover *m, double h) {
         mdt_constraintDisturb(mdt_attachmentOwner(at));
 }
 
+MeBool MEAPI MdtBodyIsMoving(const MdtBodyID b) {
+    MEASSERT(b->mover);
+    return isMotion(&b->mover->kea.velocity);
+}
+
 void MEAPI MdtWorldBeginMovers(const MdtWorldID w, const MeReal h) {
     MEASSERT(h > 0);
     for (MdtMover *m = w->movers; m; m = m->next)

@@ -106,6 +106,7 @@ struct MstBridgeRecord {
     MstEvents events;
     MdtBodyID *clamped; /* bodies that have a safe time in this sub-step */
     int clampedCount, clampedMax;
+    McdModelID placed;   /* the mover's model that was placed last for a pair; null: none yet */
     MeReal ahead;        /* s, the longest time by which a model may advance in this sub-step */
     MeBool hasNoCollide; /* some joint of the world disabled the collision of its bodies as this container began */
     int substep;         /* index of the sub-step; in the first, 0, all bodies move */

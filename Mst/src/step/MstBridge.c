@@ -167,18 +167,31 @@ void MEAPI(MstHandleTransitions)(McdModelPairContainer *pairs, const McdSpaceID 
     MstHandleTransitionsOf(pairs);
 }
 
+/* Puts a mover's model, with its boxes and children, where it is after a time of its step. */
+static void placeMover(MstBridgeRecord *record, McdModelID m, MeReal time) {
+    const MdtBodyID body = mst_bodyOf(m);
+    if (!body || !MdtBodyIsMover(body) || !MdtBodyIsMoving(body))
+        return;
+    const MeBool isElsewhere = MdtBodyPlaceMover(body, time);
+    if (isElsewhere)
+        mst_beginRound(record);
+    if (isElsewhere || record->placed != m) /* a body may have several models */
+        McdModelUpdate(m);
+    record->placed = m;
+}
+
 /* After the first sub-step: puts the pair's mover where it is when its lagging body goes on. */
-static void placeMover(MstBridgeRecord *record, const McdModelPair *p) {
+static void placeMovers(MstBridgeRecord *record, const McdModelPair *p) {
     const MeReal lag = mst_pairLag(p);
-    const McdModelID models[2] = {p->model1, p->model2};
-    for (int k = 0; k < 2 && lag > 0; k++)
-        if (mst_bodyOf(models[k]) && MdtBodyIsMover(mst_bodyOf(models[k])) &&
-            MdtBodyPlaceMover(mst_bodyOf(models[k]), record->ahead - lag))
-            mst_beginRound(record);
+    if (!(lag > 0))
+        return;
+    placeMover(record, p->model1, record->ahead - lag);
+    placeMover(record, p->model2, record->ahead - lag);
 }
 
 static void handleCollisions(MstBridgeRecord *record, McdModelPairContainer *pairs, McdSpaceID s, MdtWorldID w) {
     mst_beginRound(record);
+    record->placed = 0;
     updateMaterialVersions(record, pairs->stayingEnd - pairs->helloFirst);
     mst_stampModelsByWorkers(record, pairs->stayingEnd - pairs->helloFirst, s, w);
     record->hasNoCollide = MdtWorldIsValid(w) && MdtWorldHasNoCollide(w);
@@ -186,7 +199,7 @@ static void handleCollisions(MstBridgeRecord *record, McdModelPairContainer *pai
         mst_markNoCollidePairs(&pairs->array[pairs->helloFirst], pairs->stayingEnd - pairs->helloFirst);
     for (int i = pairs->helloFirst; i < pairs->stayingEnd;) {
         if (record->substep > 0)
-            placeMover(record, pairs->array[i]);
+            placeMovers(record, pairs->array[i]);
         i += mst_handlePairsByWorkers(record, &pairs->array[i], pairs->stayingEnd - i, w);
         if (i == pairs->stayingEnd)
             break;
