@@ -46,6 +46,19 @@ MEPUBLIC MeStage *MEAPI MdtWorldGetStage(const MdtWorldID w);
 MEPUBLIC void MEAPI MdtWorldAdvance(const MdtWorldID w, const MeReal h, const MeBool stopAtSafeTime);
 MEPUBLIC int MEAPI MdtWorldAdvanceLag(const MdtWorldID w);
 
+/** @name Bodies that lag, after the last sub-step
+ *  MdtBodyPause takes the angular velocity from a body (rad/s, velocity[1]), which does not turn then, or also the
+ *  linear one (m/s, velocity[0]); MdtBodyResume gives back what was taken. MdtWorldPushLagging lets movers act on
+ *  bodies that lag for as long as they lag, without gravity and forces, and leaves their lags as they are. @{ */
+MEPUBLIC MdtBodyID MEAPI MdtWorldNextLagging(const MdtWorldID w, const MdtBodyID b); /**< null: the first; no more */
+MEPUBLIC MeBool MEAPI MdtBodyHasJoints(const MdtBodyID b);
+MEPUBLIC void MEAPI MdtBodyPause(const MdtBodyID b, const MeBool translates, double velocity[2][3]);
+MEPUBLIC void MEAPI MdtBodyResume(const MdtBodyID b, const MeBool translates, const double velocity[2][3]);
+MEPUBLIC void MEAPI MdtWorldPushLagging(const MdtWorldID w);
+/** @} */
+/** Whether any mover of the world moves in this step. */
+MEPUBLIC MeBool MEAPI MdtWorldHasMovingMovers(const MdtWorldID w);
+
 /** Sets the motion of the movers, kinematic bodies, in a step of h seconds. The step does so itself; earlier calls show
  *  the velocities that follow from targets. */
 MEPUBLIC void MEAPI MdtWorldBeginMovers(const MdtWorldID w, const MeReal h);

@@ -34,8 +34,9 @@ typedef struct MdtIsland {
     int numMembers;          /* 0: it is a single partition */
     double whole;            /* s, the step that the program requested (MdtWorldStep) */
     /* mdt_step.c, mdt_lag.c */
-    double h;    /* s, time of the partition's step: `whole`, or less if limited by safe times */
-    double late; /* s, from the start of the movers' step to that of the partition's */
+    double h;        /* s, time of the partition's step: `whole`, or less if limited by safe times */
+    double late;     /* s, from the start of the movers' step to that of the partition's */
+    MeBool isPushed; /* its bodies are at rest but for what movers do to them: no forces act */
     /* mdt_report.c */
     MdtReport *report;     /* null: the report is off */
     MeBool isTimedByStage; /* false: small partitions are timed together */

@@ -299,6 +299,10 @@ void mdt_bodyApplyLocks(MdtBodyID b) {
         changeInertia(b, locked);
 }
 
+void mdt_bodyLockRotations(MdtBodyID b) {
+    changeInertia(b, b->kea.locked | MdtKeaLOCKEDROTATIONS);
+}
+
 void mdt_bodyTurnInertia(MdtBodyID b, double time) {
     double turn[4], q[4], w[3];
     if (!turnsInertia(b))

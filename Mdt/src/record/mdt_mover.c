@@ -196,6 +196,13 @@ MeBool MEAPI MdtBodyIsMoving(const MdtBodyID b) {
     return isMotion(&b->mover->kea.velocity);
 }
 
+MeBool MEAPI MdtWorldHasMovingMovers(const MdtWorldID w) {
+    for (const MdtMover *m = w->movers; m; m = m->next)
+        if (isMotion(&m->kea.velocity))
+            return METRUE;
+    return MEFALSE;
+}
+
 void MEAPI MdtWorldBeginMovers(const MdtWorldID w, const MeReal h) {
     MEASSERT(h > 0);
     for (MdtMover *m = w->movers; m; m = m->next)

@@ -14,6 +14,7 @@ void mdt_bodyVelocity(const MdtBody *b, MdtKeaVelocity *v); /* angular: `spin`, 
 void mdt_bodyAcceptVelocities(MdtBodyID b); /* applies velocities that the program has written through pointers */
 void mdt_bodyClampPosition(MdtBodyID b);    /* clamps the position to its bound and stops the body there */
 void mdt_bodyCapSpeeds(MdtBodyID b);        /* scales its shown velocities down to its largest speeds */
+void mdt_bodyLockRotations(MdtBodyID b);    /* until mdt_bodyApplyLocks: the body stops turning */
 void mdt_bodyApplyLocks(MdtBodyID b);       /* after its locked axes were set, or it became or ceased to be a mover */
 /* Sets the inertia between two free rotations to that of the attitude in so many seconds; the momentum stays. */
 void mdt_bodyTurnInertia(MdtBodyID b, double time);

@@ -55,34 +55,45 @@ static MeBool isTooShort(const MdtIsland *p) {
     return !(p->h * MAX_SUBSTEPS > p->whole);
 }
 
-static MeBool advanceLag(MdtWorldID w, int number) {
+static MeBool advanceLag(MdtWorldID w, int number, MeBool isPushed) {
     MdtIsland p = mdt_islandOf(w, number, 0);
     const double lag = commonLag(&p);
     p.late = p.whole - lag;
     p.h = mdt_minSafeTime(p.bodies, p.numBodies, lag);
+    p.isPushed = isPushed;
     if (isTooShort(&p))
         return MEFALSE;
     for (int i = 0; i < p.numBodies; i++)
         mdt_forceContinue(p.bodies[i]);
     mdt_islandStep(&p);
-    mdt_lagSet(&p, lag);
+    if (!isPushed)
+        mdt_lagSet(&p, lag);
     return METRUE;
 }
 
-int MEAPI MdtWorldAdvanceLag(const MdtWorldID w) {
+/* Advances all partitions that lag; returns how many have moved. */
+static int advanceLags(MdtWorldID w, MeBool isPushed) {
     int moved = 0;
     MeStageBegin(&w->stage, MDT_GUARD_WORLD);
     mdt_islandsBegin(w);
     mdt_choicesBegin(w, MEFALSE);
     MeStageBegin(&w->stage, MDT_GUARD_STATES);
     for (int i = 0; i < w->numPartitions; i++)
-        moved += advanceLag(w, i);
+        moved += advanceLag(w, i, isPushed);
     mdt_choicesEnd(w);
     MeStageEnd(&w->stage, MDT_GUARD_STATES);
     mdt_islandsEnd(w);
     mdt_breakEnd(w);
     MeStageEnd(&w->stage, MDT_GUARD_WORLD);
     return moved;
+}
+
+int MEAPI MdtWorldAdvanceLag(const MdtWorldID w) {
+    return advanceLags(w, MEFALSE);
+}
+
+void MEAPI MdtWorldPushLagging(const MdtWorldID w) {
+    advanceLags(w, METRUE);
 }
 
 int MEAPI MdtWorldStepRest(const MdtWorldID w) {
@@ -96,4 +107,48 @@ int MEAPI MdtWorldGetLaggingBodies(const MdtWorldID w) {
     for (MdtLink *link = w->bodies.first; link; link = link->next)
         count += ((MdtBodyID)mdt_linkOwner(link))->lag > 0;
     return count;
+}
+
+MdtBodyID MEAPI MdtWorldNextLagging(const MdtWorldID w, const MdtBodyID b) {
+    MdtLink *link = b ? b->link.next : w->bodies.first;
+    while (link && !(((MdtBodyID)mdt_linkOwner(link))->lag > 0))
+        link = link->next;
+    return link ? (MdtBodyID)mdt_linkOwner(link) : NULL;
+}
+
+/* ---- bodies that lag after the last part ---- */
+
+MeBool MEAPI MdtBodyHasJoints(const MdtBodyID b) {
+    for (MdtAttachment *at = b->attachments; at; at = at->next)
+        if (mdt_asJoint(mdt_attachmentOwner(at)))
+            return METRUE;
+    return MEFALSE;
+}
+
+static void setVelocities(MdtBodyID b, const double linear[3], const double angular[3]) {
+    double v[3], w[3];
+    keaCopy(v, linear);
+    keaCopy(w, angular);
+    keaDropAxes(b->kea.locked, v);
+    keaDropAxes(b->kea.locked >> 3, w);
+    keaCopy(b->kea.velocity, v);
+    MdtKeaBodySetAngularVelocity(&b->kea, w);
+    mdt_bodyShow(b);
+}
+
+void MEAPI MdtBodyPause(const MdtBodyID b, const MeBool translates, double velocity[2][3]) {
+    static const double none[3];
+    mdt_bodyAcceptVelocities(b);
+    keaCopy(velocity[0], b->kea.velocity);
+    keaCopy(velocity[1], b->spin);
+    if (translates)
+        mdt_bodyLockRotations(b);
+    else
+        setVelocities(b, none, none);
+}
+
+void MEAPI MdtBodyResume(const MdtBodyID b, const MeBool translates, const double velocity[2][3]) {
+    mdt_bodyAcceptVelocities(b);
+    mdt_bodyApplyLocks(b);
+    setVelocities(b, translates ? b->kea.velocity : velocity[0], velocity[1]);
 }

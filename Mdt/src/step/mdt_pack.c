@@ -172,6 +172,15 @@ static void addGravity(const MdtWorld *w, MdtBodyID b) {
         b->kea.force[i] += b->gravityFactor * b->mass * (double)w->params.gravity[i];
 }
 
+static void completeLoad(const MdtIsland *p, MdtBodyID b) {
+    if (!p->isPushed) {
+        addGravity(p->world, b);
+        return;
+    }
+    keaZero(b->kea.force);
+    keaZero(b->kea.torque);
+}
+
 /* For results independent of threads (rule in MeTeam.h), a range writes to its own bodies only. */
 static void MEAPI packBodies(void *island, int first, int end, int worker) {
     const MdtIsland *p = island;
@@ -180,7 +189,7 @@ static void MEAPI packBodies(void *island, int first, int end, int worker) {
         MEASSERT(p->bodies[i]->partition >= p->number && (p->bodies[i]->record.flags & MDT_ENABLED));
         p->bodies[i]->index = i;
         mdt_bodyPack(p->bodies[i], p->whole, p->numJoints > 0 && !p->isFast);
-        addGravity(p->world, p->bodies[i]);
+        completeLoad(p, p->bodies[i]);
         keaDropAxes(p->bodies[i]->kea.locked, p->bodies[i]->kea.force);
         keaDropAxes(p->bodies[i]->kea.locked >> 3, p->bodies[i]->kea.torque);
         mdt_bodySaveStart(p->bodies[i]);

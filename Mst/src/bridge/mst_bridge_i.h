@@ -86,6 +86,12 @@ typedef struct MstMoved {
     MeReal *velocity[2]; /* pointers to its linear and angular velocity; null: none */
 } MstMoved;
 
+/* A body that lags, and the velocities that were taken from it (MdtBodyPause), m/s, rad/s. */
+typedef struct MstPaused {
+    MdtBodyID body;
+    double velocity[2][3];
+} MstPaused;
+
 /* ---- the bridge ---- */
 
 struct MstBridgeRecord {
@@ -106,6 +112,10 @@ struct MstBridgeRecord {
     MstEvents events;
     MdtBodyID *clamped; /* bodies that have a safe time in this sub-step */
     int clampedCount, clampedMax;
+    MstPaused *paused; /* bodies that lag after the last sub-step (mst_continuous.c) */
+    int pausedCount, pausedMax;
+    MeBool isStraight;   /* they go on without turning */
+    MeBool isPushing;    /* they are at rest, and movers push them: no body gets a safe time */
     McdModelID placed;   /* the mover's model that was placed last for a pair; null: none yet */
     MeReal ahead;        /* s, the longest time by which a model may advance in this sub-step */
     MeBool hasNoCollide; /* some joint of the world disabled the collision of its bodies as this container began */

@@ -60,6 +60,7 @@ static void freeBridge(MstBridgeRecord *b) {
     mst_runTerm(&b->run);
     mst_eventsTerm(b);
     MeMemoryGive(b->clamped);
+    MeMemoryGive(b->paused);
     MeMemoryGive(b->thawed);
     MeMemoryGive(b);
 }

@@ -7,14 +7,17 @@
  * own, as the motion after it is not known in advance.
  *
  * Lagging bodies must not push bodies that have already advanced, which would then move for longer than the step. A
- * lagging body that reaches such a body is stopped, and loses the rest of its step; so do bodies that still lag after
- * the last sub-step.
+ * lagging body that reaches such a body is stopped, and loses the rest of its step.
  *
  * What would reach a body that will be stopped is stopped with it: the bodies of a row one after the other. Their next
  * impacts are found in the next sub-step.
  *
  * A mover has made its whole step after the first sub-step. In the others it is put back, for each pair, to where it
  * was at the time of the body that lags.
+ *
+ * A body that still lags after the last sub-step turns too fast: its pose was known for a short time only. It goes on
+ * without turning, from impact to impact. What lags even then, as bodies with joints do, loses the rest of the step,
+ * which movers do not: they push it, as if it were at rest. Otherwise they would pass it.
  *
  * A large partition is not stopped by a fast body that hits it, as each sub-step would need a solve of the whole
  * partition. The fast body waits in front of it and collides in the next step, which is not divided either. Fast bodies
@@ -54,7 +57,8 @@ void mst_clearSafeTimes(MstBridgeRecord *b) {
 }
 
 static void clampBody(MstBridgeRecord *b, MdtBodyID body, MeReal time) {
-    if (!body || !mst_reserveOne(&b->clamped, b->clampedCount, &b->clampedMax, sizeof *b->clamped, "fast bodies"))
+    if (!body || b->isPushing ||
+        !mst_reserveOne(&b->clamped, b->clampedCount, &b->clampedMax, sizeof *b->clamped, "fast bodies"))
         return;
     MEASSERT(time >= 0 && time <= b->ahead);
     MdtBodySetSafeTime(body, MeMIN(time, MdtBodyGetSafeTime(body)));
@@ -275,14 +279,69 @@ void mst_clampLaggingBody(MstBridgeRecord *b, const MstFinding *f) {
         clampBody(b, mst_bodyOf(laggingModel(f->pair)), f->timeToImpact);
 }
 
+/* Bodies with joints do not move without turning. */
+static void clampJointed(MstBridgeRecord *b, MdtWorldID w) {
+    for (MdtBodyID body = MdtWorldNextLagging(w, 0); body; body = MdtWorldNextLagging(w, body))
+        if (MdtBodyHasJoints(body))
+            clampBody(b, body, 0);
+}
+
 /* Makes one more sub-step. Returns 0 if no body can advance. */
 static int advanceLag(MstUniverse *u, MstBridgeRecord *b, MeReal step) {
-    MEASSERT(b->substep > 0 && b->substep < MAX_SUBSTEPS);
+    MEASSERT(b->substep > 0 && b->substep <= MAX_SUBSTEPS);
     mst_eventsAddImpulses(b);
     MdtWorldPlaceMovers(u->world, 0); /* their boxes enclose all of their way */
     McdSpacePathUpdateAll(u->space, step);
     mst_updateContacts(b, u->space, u->world);
+    if (b->isStraight)
+        clampJointed(b, u->world);
     return MdtWorldAdvanceLag(u->world);
+}
+
+/* ---- bodies that lag after the last sub-step --------------------------------------------------------------------- */
+
+/* Takes velocities from the bodies that lag: their spins, of those without joints; or all. */
+static void pauseLagging(MstBridgeRecord *b, MdtWorldID w, MeBool translate) {
+    MEASSERT(b->pausedCount == 0);
+    for (MdtBodyID body = MdtWorldNextLagging(w, 0); body; body = MdtWorldNextLagging(w, body)) {
+        if (translate && MdtBodyHasJoints(body))
+            continue;
+        if (!mst_reserveOne(&b->paused, b->pausedCount, &b->pausedMax, sizeof *b->paused, "bodies that lag"))
+            return;
+        b->paused[b->pausedCount].body = body;
+        MdtBodyPause(body, translate, b->paused[b->pausedCount++].velocity);
+    }
+}
+
+static void resumePaused(MstBridgeRecord *b, MeBool translate) {
+    for (int i = 0; i < b->pausedCount; i++)
+        if (MdtBodyIsValid(b->paused[i].body)) /* a callback may have destroyed it */
+            MdtBodyResume(b->paused[i].body, translate, (const double(*)[3])b->paused[i].velocity);
+    b->pausedCount = 0;
+}
+
+/* Bodies that lag go on without turning: their poses are known then, so that few sub-steps suffice. */
+static void advanceStraight(MstUniverse *u, MstBridgeRecord *b, MeReal step) {
+    pauseLagging(b, u->world, METRUE);
+    b->isStraight = METRUE;
+    for (int i = 0; i < MAX_SUBSTEPS && MdtWorldGetLaggingBodies(u->world) > 0; i++)
+        if (!advanceLag(u, b, step))
+            break;
+    b->isStraight = MEFALSE;
+    resumePaused(b, METRUE);
+}
+
+/* Movers complete their step, and push the bodies that do not. */
+static void pushLagging(MstUniverse *u, MstBridgeRecord *b, MeReal step) {
+    mst_eventsAddImpulses(b);
+    pauseLagging(b, u->world, MEFALSE);
+    b->isPushing = METRUE;
+    MdtWorldPlaceMovers(u->world, 0);
+    McdSpacePathUpdateAll(u->space, step);
+    mst_updateContacts(b, u->space, u->world);
+    MdtWorldPushLagging(u->world);
+    b->isPushing = MEFALSE;
+    resumePaused(b, MEFALSE);
 }
 
 void mst_stepWorld(MstUniverse *u, MeReal step) {
@@ -296,6 +355,10 @@ void mst_stepWorld(MstUniverse *u, MeReal step) {
     for (b->substep = 1; b->substep < MAX_SUBSTEPS && MdtWorldGetLaggingBodies(u->world) > 0; b->substep++)
         if (!advanceLag(u, b, step))
             break;
+    if (MdtWorldGetLaggingBodies(u->world) > 0)
+        advanceStraight(u, b, step);
+    if (MdtWorldGetLaggingBodies(u->world) > 0 && MdtWorldHasMovingMovers(u->world))
+        pushLagging(u, b, step);
     b->substep = 0;
     MdtWorldPlaceMovers(u->world, step);
     mst_clearSafeTimes(b);
