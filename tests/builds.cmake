@@ -38,7 +38,7 @@ set(KARMA_DEAR
   Mdt.Certificate Mdt.MisfitScenes Mdt.Order Mdt.RandomScenes
   Mst.Advise Mst.Blows Mst.Callbacks Mst.Cases_Crowds Mst.Cases_Impacts Mst.Cases_Long Mst.Cases_Stacks
   Mst.Cases_Terrain Mst.Choice Mst.Continuous Mst.ConvexType Mst.Crowd Mst.Forces Mst.Grounds Mst.Heaps
-  Mst.Jointed Mst.Memory Mst.Reuse Mst.Scales Mst.Spikes
+  Mst.Jointed Mst.Memory Mst.Reuse Mst.Scales Mst.Spikes Mst.SweptMovers
   Mst.Threads Mst.WarmSteps Mst.WorkBudget)
 
 # karma_is_listed(<variable> <name> <expression> ...)
