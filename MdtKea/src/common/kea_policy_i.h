@@ -335,9 +335,9 @@ static const double kea_minPlasticSpeed = 0.25;
 static const double kea_minOwnSpeed = 4, kea_minBlowSpeed = 1e-3;
 /* Fraction of the bodies' own speeds that takes the place of the load speed where there are no loads. */
 static const double kea_unloadedSpeed = 1e-6;
-/* Largest restitution with which overlaps of rebounding contacts are removed. Of 50 discs of .1 m that tumble at 30 Hz
- * without friction 0 gain energy with .95, 1 with .99, 5 with .999; without removal coins with .7 stay 68 mm deep
- * (Mst_Rims). */
+/* Largest restitution with which overlaps of rebounding contacts are removed, and bodies damped that may touch. Of 50
+ * discs of .1 m that tumble at 30 Hz without friction 0 gain energy with .95, 1 with .99, 5 with .999; without removal
+ * coins with .7 stay 68 mm deep (Mst_Rims). */
 static const double kea_lossyRestitution = 0.95;
 /* Fraction of the speed of the fastest body: with a smaller residual the passes of an impact end. It is three digits
  * below kea_velocityTolerance, the slowest approach that takes part in a round, so that a reflected contact does not
