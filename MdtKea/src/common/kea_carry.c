@@ -93,9 +93,13 @@ static MeBool carryOver(const MdtKeaSystem *s, const MdtKeaManifold *m, const Md
         double *jump = s->work->added[body];
         alongSurface(m->normal, mover->position, &mover->jump, s->pose[body].pos, jump);
         kea_dropLocked(s->work->body[body].locked, jump);
-        if (!sticks(s, m->normal, mover, body, jump))
+        const double drop = dropOf(s, m->normal, k == 0 ? 1 : -1, mover, body);
+        const MeBool isCarried = sticks(s, m->normal, mover, body, jump);
+        if (!isCarried && drop == 0)
             continue;
-        keaAddScaled(jump, dropOf(s, m->normal, k == 0 ? 1 : -1, mover, body), m->normal);
+        if (!isCarried)
+            memset(jump, 0, 6 * sizeof *jump);
+        keaAddScaled(jump, drop, m->normal);
         kea_dropLocked(s->work->body[body].locked, jump);
         carrier[body] = mover;
         return METRUE;

@@ -19,20 +19,6 @@
 #include "MeAssert.h"
 #include <string.h>
 
-/* A contact that overlaps is open if it leaves by more than γ of its overlap in the step; else the overlap of one that
- * rebounds in each step would stay. Where rebounds lose next to nothing it stays: displacement against loads is a gain
- * of energy. */
-MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed) {
-    const MdtKeaRow *row = &s->rows[i];
-    const double overlap = -row->error, least = s->parameters.gamma * overlap / s->parameters.stepsize;
-    const MeBool sheds =
-        row->restitution <= kea_lossyRestitution && overlap > kea_touchingGap * kea_smallerExtent(s, row->body);
-    const double rate = kea_startRate(s, i) - keaMax(row->jump, 0); /* of a mover that begins to go away */
-    return !kea_isTouching(s, row) || rate > keaMax(kea_separatingSpeed * speed, sheds ? least : 0);
-}
-
-/* ---- which systems are timed ---- */
-
 /* m/s: J v of a row at the end of the step without constraint forces. */
 static double freeRate(const MdtKeaSystem *s, const MdtKeaRow *row) {
     double rate = row->turning;
@@ -41,6 +27,27 @@ static double freeRate(const MdtKeaSystem *s, const MdtKeaRow *row) {
             rate += kea_rateAlong(&row->J[k], &s->predicted[row->body[k]]);
     return rate;
 }
+
+/* m/s: the rate of a contact at the start. One that a mover leaves, as a deck that drops, stays closed if the body
+ * comes along by itself: its rate is that before the mover's change. */
+static double leavingRate(const MdtKeaSystem *s, int i) {
+    const MdtKeaRow *row = &s->rows[i];
+    const MeBool comesAlong = row->jump > 0 && freeRate(s, row) - row->drift <= 0;
+    return kea_startRate(s, i) - (comesAlong ? row->jump : 0);
+}
+
+/* A contact that overlaps is open if it leaves by more than γ of its overlap in the step; else the overlap of one that
+ * rebounds in each step would stay. Where rebounds lose next to nothing it stays: displacement against loads is a gain
+ * of energy. */
+MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed) {
+    const MdtKeaRow *row = &s->rows[i];
+    const double overlap = -row->error, least = s->parameters.gamma * overlap / s->parameters.stepsize;
+    const MeBool sheds =
+        row->restitution <= kea_lossyRestitution && overlap > kea_touchingGap * kea_smallerExtent(s, row->body);
+    return !kea_isTouching(s, row) || leavingRate(s, i) > keaMax(kea_separatingSpeed * speed, sheds ? least : 0);
+}
+
+/* ---- which systems are timed ---- */
 
 /* Springs exclude timed steps: their forces change within a step, and stiff ones need the damping of θ = 1. So do
  * overlaps, whose projection against joints changes the energy, unless the bodies still approach fast: that is a late

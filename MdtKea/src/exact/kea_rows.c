@@ -95,8 +95,8 @@ static void moveTouchingByEnd(MdtKeaSystem *s) {
     }
 }
 
-/* Whether a contact damps its bodies: one that loses next to nothing does only while it acts, as far as is known: it has
- * a force, or would overlap without one. Otherwise two balls of a cradle that swing side by side would come to rest. */
+/* Whether a contact damps its bodies: one that loses next to nothing does only while it acts, as far as is known: it
+ * has a force, or would overlap without one. Otherwise two balls of a cradle that swing side by side come to rest. */
 static MeBool damps(const MdtKeaSystem *s, int i) {
     const MdtKeaRow *row = &s->rows[i];
     const double h = s->parameters.stepsize;
