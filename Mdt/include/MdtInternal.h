@@ -108,6 +108,8 @@ MEPUBLIC void MEAPI MdtBodyExpectCentreOfMass(const MdtBodyID b);
 
 /** m/s²: what gravity and the program's forces give the centre of mass in the coming part of a step; 0 if disabled. */
 MEPUBLIC void MEAPI MdtBodyGetFreeAcceleration(const MdtBodyID b, MeVector3 a);
+/** The same of a body that is awake. Reads nothing that the commit of contacts writes: workers may call it. */
+MEPUBLIC void MEAPI MdtBodyGetLoadAcceleration(const MdtBodyID b, MeVector3 a);
 /** Adds a force on the centre of mass for the coming step, N, world. Unlike MdtBodyAddForce's it is no sample of a
  *  force that is continued between steps (mdt_force.c): the caller has made it implicit. */
 MEPUBLIC void MEAPI MdtBodyAddLoad(const MdtBodyID b, const double force[3]);

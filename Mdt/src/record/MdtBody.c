@@ -1060,16 +1060,23 @@ void MEAPI MdtBodyDisableCoriolisForce(const MdtBodyID b) {
 }
 
 /* In the rest of a step the last part's forces go on (mdt_forceContinue). */
-void MEAPI MdtBodyGetFreeAcceleration(const MdtBodyID b, MeVector3 a) {
+void MEAPI MdtBodyGetLoadAcceleration(const MdtBodyID b, MeVector3 a) {
     MDT_NEED_BODY(b, );
     const MdtForces *f = mdt_forcesOf(b);
-    const MeBool isAwake = (b->record.flags & MDT_ENABLED) != 0;
     for (int i = 0; i < 3; i++) {
         const double force = f->load[0][i] + (b->lag > 0 ? f->lastLoad[0][i] : 0);
-        a[i] = isAwake && !(b->kea.locked >> i & 1)
+        a[i] = !(b->kea.locked >> i & 1)
                    ? mdt_real(b->gravityFactor * (double)b->world->params.gravity[i] + force * b->kea.invMass)
                    : 0;
     }
+}
+
+void MEAPI MdtBodyGetFreeAcceleration(const MdtBodyID b, MeVector3 a) {
+    MDT_NEED_BODY(b, );
+    if (b->record.flags & MDT_ENABLED)
+        MdtBodyGetLoadAcceleration(b, a);
+    else
+        MeVector3Set(a, 0, 0, 0);
 }
 
 /* Euler's equations: I_i dw_i/dt = (I_j - I_k) w_j w_k about the principal axes. The momentum L and the energy T stay,

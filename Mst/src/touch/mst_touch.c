@@ -220,12 +220,12 @@ static void surfaceVelocityAt(McdModelID m, MeVector3 point, MeVector3 velocity)
         MeVector3Copy(velocity, linear);
 }
 
-/* m/s²: of a body by gravity and the forces of this step; 0 for the world. */
+/* m/s²: of a body by gravity and the forces of this step; 0 for the world, and for what sleeps. */
 static void freeAccelerationOf(McdModelID m, MeVector3 a) {
     const MdtBodyID body = mst_freeBodyOf(m);
     MeVector3Set(a, 0, 0, 0);
-    if (body)
-        MdtBodyGetFreeAcceleration(body, a);
+    if (body && !(McdModelGetSpace(m) && McdSpaceModelIsFrozen(m)))
+        MdtBodyGetLoadAcceleration(body, a);
 }
 
 /* The speed u with which a gap d closes, from the speed v at the beginning of the step: u² = v² + 2 a d. */
