@@ -78,8 +78,8 @@ void MEAPI MdtSpring6SetAngularMotor(const MdtSpring6ID j, int axisindex, MeReal
 }
 
 /* A rigid direction goes to its target with a velocity, unlike a gap that the program has made otherwise. */
-static void moveByTarget(MdtSpring6ID j) {
-    mdt_jointOfType(j, MdtBclSPRING6, "MdtSpring6SetTargetPosition")->gap = 0;
+static void moveByTarget(MdtSpring6ID j, const char *function) {
+    mdt_jointOfType(j, MdtBclSPRING6, function)->gap = 0;
 }
 
 void MEAPI MdtSpring6SetTargetPosition(const MdtSpring6ID j, const MeVector3 position, const MeVector3 velocity) {
@@ -92,7 +92,7 @@ void MEAPI MdtSpring6SetTargetPosition(const MdtSpring6ID j, const MeVector3 pos
         return;
     mdt_fromReal(s->position, position);
     mdt_fromReal(s->velocity, v);
-    moveByTarget(j);
+    moveByTarget(j, __func__);
 }
 
 void MEAPI MdtSpring6GetTargetPosition(const MdtSpring6ID j, MeVector3 position) {
@@ -106,7 +106,7 @@ void MEAPI MdtSpring6SetTargetQuaternion(const MdtSpring6ID j, const MeVector4 q
     if (!s)
         return;
     mdt_setTargetTurn(__func__, &s->target, q, w);
-    moveByTarget(j);
+    moveByTarget(j, __func__);
 }
 
 void MEAPI MdtSpring6GetTargetQuaternion(const MdtSpring6ID j, MeVector4 q) {

@@ -42,7 +42,7 @@ typedef struct KeaPatch {
     double centre[3], x[KEA_POINTS], y[KEA_POINTS]; /* m */
     double axis[3][3]; /* primary and secondary direction, normal, in the mean of the step */
     double arm[2][3];  /* m, lever arms from the bodies' centres to the centre, in the mean of the step */
-    double added[3];   /* m/s, the rates at the end less those with these arms; */
+    double added[3];   /* m/s, the rates at the end less those with these arms */
     double turned[3];  /* those along each axis at the end less those along its mean */
 } KeaPatch;
 
