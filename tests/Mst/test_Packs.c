@@ -206,6 +206,74 @@ TEST(what_hops_within_a_step_keeps_its_energy) {
     }
 }
 
+/* ---- billiards --------------------------------------------------------------------------------------------------- */
+
+/* A cue ball and a triangle of balls on the floor, which it hits in the middle; they are mirrored about y = 0. */
+typedef struct Rack {
+    int rows;
+    double radius, gap, speed, h; /* m; of a radius; m/s */
+    MdtSolver solver;
+} Rack;
+
+static void makeRack(const Rack *r) {
+    const Pack p = {.restitution = 1, .h = r->h, .solver = r->solver};
+    const double apart = (2 + r->gap) * r->radius;
+    beginWorld(&p);
+    const McdGeometryID ball = McdSphereCreate(u->frame, (MeReal)r->radius);
+    count = 0;
+    bottom = 0;
+    model[count] = MstModelAndBodyCreate(u, ball, 1000);
+    McdModelDynamicsSetPosition(model[count], (MeReal)(-6 * r->radius), 0, (MeReal)r->radius);
+    McdModelDynamicsSetLinearVelocity(model[count++], (MeReal)r->speed, 0, 0);
+    for (int i = 0; i < r->rows; i++)
+        for (int k = 0; k <= i; k++) {
+            model[count] = MstModelAndBodyCreate(u, ball, 1000);
+            McdModelDynamicsSetPosition(model[count++], (MeReal)(apart * i * sqrt(.75)), (MeReal)(apart * (k - .5 * i)),
+                                        (MeReal)r->radius);
+        }
+    for (int i = 0; i < count; i++)
+        bottom += mass(i) * GRAVITY * r->radius;
+}
+
+/* m/s: by how much the velocities of mirrored balls differ, at most. */
+static double asymmetry(int rows) {
+    double worst = 0;
+    for (int i = 0, first = 1; i < rows; first += ++i)
+        for (int k = 0; k <= i; k++) {
+            MeVector3 v, mirrored;
+            McdModelDynamicsGetLinearVelocity(model[first + k], v);
+            McdModelDynamicsGetLinearVelocity(model[first + i - k], mirrored);
+            worst = fmax(worst, fmax(fabs((double)(v[0] - mirrored[0])), fabs((double)(v[1] + mirrored[1]))));
+        }
+    return worst;
+}
+
+static void assertBreaksEvenly(const Rack *r) {
+    makeRack(r);
+    const double first = energy(), before = momentum();
+    for (double t = 0; t < 10 * r->radius / r->speed + 2 * r->h; t += r->h)
+        MstUniverseStep(u, (MeReal)r->h);
+    ck_assert_msg(asymmetry(r->rows) < TOL(2e-4, 1e-9) * r->speed, "%d rows, radius %g, gap %g, step %g: %g of %g m/s",
+                  r->rows, r->radius, r->gap, r->h, asymmetry(r->rows), r->speed);
+    assert_near(energy() / first, 1, 1e-4);
+    assert_near(momentum() / before, 1, 1e-5);
+    assert_silent();
+}
+
+/* From the fourth row on, of 11 balls, the corner balls left with .75 and .38 of the cue's speed. */
+TEST(billiards_break_evenly) {
+    static const double gap[] = {0, 1e-3, .05}, rate[] = {30, 60, 240}, radius[] = {.0286, .5};
+    for (int k = 0; k < 108; k++) {
+        const Rack r = {.rows = 3 + k % 3,
+                        .gap = gap[k / 3 % 3],
+                        .h = 1 / rate[k / 9 % 3],
+                        .radius = radius[k / 27 % 2],
+                        .speed = 5,
+                        .solver = k / 54 ? MdtSolverFast : MdtSolverAuto};
+        assertBreaksEvenly(&r);
+    }
+}
+
 /* ---- inelastic, rough -------------------------------------------------------------------------------------------- */
 
 /* rad/s, the fastest. */

@@ -300,9 +300,11 @@ enum {
      * stopped. A column of n balls takes (n + 1)/2. With 8 Mst_Packs fails: so_do_larger_packs. */
     KEA_REFLECTIONS = 64,
     /* Projected Gauss-Seidel passes that stop the points of a manifold together. The energy does not depend on them; a
-     * face that lands flat rotates by what they leave. With 4 Mst_Packs fails:
-     * a_layer_bounces_by_the_law. */
-    KEA_FACE_PASSES = 32
+     * face that lands flat rotates by what they leave. With 4 Mst_Packs fails: a_layer_bounces_by_the_law. */
+    KEA_FACE_PASSES = 32,
+    /* Visits of points after which passes over the manifolds of a set end: those of one that does not converge by then
+     * are reflected one after the other. With 256 Mst_Packs fails: billiards_break_evenly. */
+    KEA_SET_VISITS = 4096
 };
 /* Fraction of the first round's fastest rebound: rounds end when nothing rebounds faster, and contacts that still
  * approach are stopped. With this limit a tower of 8 bricks with restitution .3 that a ball hits takes a third of the

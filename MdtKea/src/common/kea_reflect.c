@@ -1,15 +1,18 @@
 /* Reflections: impacts of a step that is not divided at them.
  *
- * At the start of the step each contact with restitution whose gap would close within it reflects the velocities of
- * its bodies, one manifold after the other, until no such contact is left. Bodies rebound before they touch, and move
- * freely from there: positions are off by up to the way of a step, the energy is exact. A manifold's points are
- * reflected together, along the direction d in which its bodies would be stopped:
+ * At the start of the step contacts with restitution whose gaps would close within it reflect the velocities of their
+ * bodies, in rounds, until no such contact is left. Bodies rebound before they touch, and move freely from there:
+ * positions are off by up to the way of a step, the energy is exact. As in divided steps (kea_impact.c), a round
+ * reflects all contacts that now approach, so that their order has no effect and what is symmetric remains so. Bodies
+ * that such contacts connect are a set; its velocities are reflected along the direction d in which it would be
+ * stopped:
  *
- *     v⁺ = v - (1 + e) (v·d)/(d·d) d,    d = M⁻¹ Jᵀ p,    p >= 0 with J (v + d) >= 0 where p = 0, = 0 elsewhere
+ *     v⁺ = v - (v·d + Σ e p J v)/(d·d) d,    d = M⁻¹ Jᵀ p,    p >= 0 with J (v + d) >= 0 where p = 0, = 0 elsewhere
  *
- * (dot products by M). With e = 1 this keeps the kinetic energy for any p, so that passes for p need not converge.
- * Where many contacts touch, the law is thus that of sequential reflections, in the order of manifolds. Their number is
- * finite (Sinai 1978, Billiard trajectories in a polyhedral angle), but bounded here: the step stops what is left.
+ * (dot products by M; v·d = Σ p J v). With e = 1 this keeps the kinetic energy for any p, so that passes for p need not
+ * converge. The number of rounds is finite (Smith et al., Reflections on Simultaneous Impact, 2012), but bounded here:
+ * the step stops what is left. Manifolds of sets that are too large for passes, as in packs of touching cubes, are
+ * reflected one after the other, which is the law of a set of one manifold.
  *
  * With e < 1, a contact with the gap g and the approach a of loads has the impact speed u, u² = rate² + 2 g a, and
  * separates at this gap with v, v² = e² u² - 2 g a, as if it had closed the gap; with g < 0 alike.
@@ -17,6 +20,7 @@
 #include "common/kea_anchor_i.h"
 #include "common/kea_policy_i.h"
 #include "inner/kea_factor_i.h"
+#include "inner/kea_graph_i.h"
 #include "MeAssert.h"
 #include <string.h>
 
@@ -34,7 +38,9 @@ typedef struct Face {
     const MdtKeaManifold *manifold;
     double normal[3];
     int first, count;
-    int seen; /* r.clock at the last visit */
+    int seen;     /* r.clock at the last visit */
+    double share; /* of the approach speed with which it separates; negative: it does not meet */
+    int next;     /* the next manifold of its set in the present round; -1: none */
 } Face;
 
 enum { FIRST = 1 };
@@ -43,7 +49,11 @@ typedef struct Reflections {
     MdtKeaSystem *s;
     Face *face;
     Point *point;
-    int *changed; /* by body: r.clock at its last change */
+    int *meeting; /* manifolds that meet in the present round, in their order */
+    /* By body: r.clock at its last change; of the sets of bodies that meet, union-find and the first manifold of each
+     * root; the change d that stops them. */
+    int *changed, *set, *firstFace;
+    double (*change)[6];
     int numFaces, numPoints;
     int clock, visits; /* FIRST + reflections so far; visits of points */
     double speed;      /* m/s: kea_eventSpeed */
@@ -55,7 +65,11 @@ static size_t layOut(const MdtKeaSystem *s, Reflections *r, int numPoints, char 
     KeaArena arena = {memory, 0};
     KEA_CARVE(&arena, r->face, (size_t)s->numManifolds);
     KEA_CARVE(&arena, r->point, (size_t)numPoints);
+    KEA_CARVE(&arena, r->meeting, (size_t)s->numManifolds);
     KEA_CARVE(&arena, r->changed, (size_t)s->numBodies);
+    KEA_CARVE(&arena, r->set, (size_t)s->numBodies);
+    KEA_CARVE(&arena, r->firstFace, (size_t)s->numBodies);
+    KEA_CARVE(&arena, r->change, (size_t)s->numBodies);
     return arena.used;
 }
 
@@ -158,7 +172,7 @@ static void addFaces(Reflections *r) {
     }
 }
 
-/* ---- one reflection ---- */
+/* ---- approach ---- */
 
 /* The share of the approach speed with which the point separates: 0 below the threshold of restitution; negative: it
  * does not meet within the step, or too slowly, or would not come back to its gap. */
@@ -197,47 +211,72 @@ static double beginReflection(Reflections *r, const Face *f) {
     return share;
 }
 
-/* Adds the change of the bodies' velocities by an impulse at a point to d. */
-static void addChange(const Reflections *r, const Face *f, const Point *p, double impulse, double d[2][6]) {
+/* ---- one set of bodies ---- */
+
+/* Adds the change of the bodies' velocities by an impulse at a point to their d. */
+static void addChange(const Reflections *r, const Face *f, const Point *p, double impulse) {
     for (int k = 0; k < 2; k++) {
         const int b = f->manifold->body[k];
         double freed[3];
         if (b < 0)
             continue;
         freeAxes(r, b, f->normal, freed);
-        keaAddScaled(d[k], (k == 0 ? impulse : -impulse) * r->s->invMass[b].mass, freed);
-        keaAddScaled(d[k] + 3, impulse, p->response[k]);
+        keaAddScaled(r->change[b], (k == 0 ? impulse : -impulse) * r->s->invMass[b].mass, freed);
+        keaAddScaled(r->change[b] + 3, impulse, p->response[k]);
     }
 }
 
 /* m/s: J d of a point. */
-static double rateOfChange(const Face *f, const Point *p, double d[2][6]) {
-    return keaDot(f->normal, d[0]) - keaDot(f->normal, d[1]) + keaDot(p->turn[0], d[0] + 3) +
-           keaDot(p->turn[1], d[1] + 3);
+static double rateOfChange(const Reflections *r, const Face *f, const Point *p) {
+    double rate = 0;
+    for (int k = 0; k < 2; k++) {
+        const int b = f->manifold->body[k];
+        if (b >= 0)
+            rate += (k == 0 ? 1 : -1) * keaDot(f->normal, r->change[b]) + keaDot(p->turn[k], r->change[b] + 3);
+    }
+    return rate;
 }
 
-/* One projected Gauss-Seidel pass. Returns the largest change of a rate, m/s. */
-static double passPoints(Reflections *r, const Face *f, double d[2][6]) {
+/* A projected Gauss-Seidel pass over the points of a manifold. Returns the largest change of a rate, m/s. */
+static double passFace(Reflections *r, const Face *f) {
     double largest = 0;
     for (int i = f->first; i < f->first + f->count; i++) {
         Point *p = &r->point[i];
         if (!p->isIn)
             continue;
         const double before = p->p;
-        p->p = keaMax(before - (p->rate + rateOfChange(f, p, d)) / p->mobility, 0);
-        addChange(r, f, p, p->p - before, d);
+        p->p = keaMax(before - (p->rate + rateOfChange(r, f, p)) / p->mobility, 0);
+        addChange(r, f, p, p->p - before);
         largest = keaMax(largest, fabs(p->p - before) * p->mobility);
     }
+    r->visits += f->count;
     return largest;
 }
 
-/* Finds impulses that stop the points, and their d. The first pass changes rates by those that are stopped. */
-static void stopPoints(Reflections *r, const Face *f, double d[2][6]) {
-    memset(d, 0, 2 * sizeof *d);
-    const double first = passPoints(r, f, d);
-    for (int pass = 1; pass < KEA_FACE_PASSES && f->count > 1; pass++)
-        if (passPoints(r, f, d) <= kea_impactTolerance * first)
-            return;
+/* Stops the points of a manifold. Returns by how much that changes a rate at first, m/s. */
+static double stopFace(Reflections *r, const Face *f, double start) {
+    const double first = passFace(r, f);
+    double change = first;
+    for (int pass = 1; pass < KEA_FACE_PASSES && f->count > 1 && change > kea_impactTolerance * keaMax(start, first);
+         pass++)
+        change = passFace(r, f);
+    return first;
+}
+
+/* Finds impulses that stop the manifolds of a set, and their d. In each pass the points of a manifold are stopped, so
+ * that what lands flat does not rotate. False: they do not converge. */
+static MeBool stopSet(Reflections *r, int first) {
+    const int last = r->visits + KEA_SET_VISITS;
+    double start = 0;
+    do {
+        double largest = 0;
+        for (int i = first; i >= 0; i = r->face[i].next)
+            largest = keaMax(largest, stopFace(r, &r->face[i], start));
+        start = keaMax(start, largest);
+        if (r->face[first].next < 0 || largest <= kea_impactTolerance * start)
+            return METRUE;
+    } while (r->visits < last);
+    return MEFALSE;
 }
 
 /* Pushes a point by an impulse along t. */
@@ -293,18 +332,21 @@ static void addFriction(Reflections *r, const Face *f, Point *p, double pressed)
                 stopSlip(r, f, p, t[i], slip[i], surface->slip[i], surface->coefficient[i] * pressed);
 }
 
-/* The factor of d: -(1 + share) (v·d)/(d·d); 0: there is no d. */
-static double factorOf(const Reflections *r, const Face *f, double share, double d[2][6]) {
+/* The factor of d for a set: -(v·d + Σ share p J v)/(d·d); 0: there is no d. */
+static double factorOf(const Reflections *r, int first) {
     double speed = 0, size = 0;
-    for (int i = f->first; i < f->first + f->count; i++) {
-        const Point *p = &r->point[i];
-        speed += p->p * p->rate;
-        size += p->p * rateOfChange(f, p, d);
+    for (int i = first; i >= 0; i = r->face[i].next) {
+        const Face *f = &r->face[i];
+        for (int k = f->first; k < f->first + f->count; k++) {
+            const Point *p = &r->point[k];
+            speed += p->p * (1 + f->share) * p->rate;
+            size += p->p * rateOfChange(r, f, p);
+        }
     }
-    return size > 0 ? -(1 + share) * speed / size : 0;
+    return size > 0 ? -speed / size : 0;
 }
 
-/* Adds the impulses of a reflection to the forces of its points, with their friction. */
+/* Adds the impulses of a reflection to the forces of a manifold's points, with their friction. */
 static void addImpulses(Reflections *r, const Face *f, double factor) {
     for (int i = f->first; i < f->first + f->count; i++) {
         Point *p = &r->point[i];
@@ -314,30 +356,59 @@ static void addImpulses(Reflections *r, const Face *f, double factor) {
     }
 }
 
-/* Reflects the velocities at a manifold. False: none of its points meets. */
-static MeBool reflectFace(Reflections *r, const Face *f) {
-    const double share = beginReflection(r, f);
-    double d[2][6];
-    if (share < 0)
-        return MEFALSE;
-    stopPoints(r, f, d);
-    const double factor = factorOf(r, f, share, d);
-    if (!(factor > 0))
-        return MEFALSE;
-    r->clock++;
-    for (int k = 0; k < 2; k++) {
-        const int b = f->manifold->body[k];
-        if (b < 0)
-            continue;
-        keaAddScaled(r->s->velocity[b].lin, factor, d[k]);
-        keaAddScaled(r->s->velocity[b].ang, factor, d[k] + 3);
-        r->changed[b] = r->clock;
-    }
-    addImpulses(r, f, factor);
-    return METRUE;
+/* Adds the body's change once in the reflection that r.clock counts. */
+static void changeBody(Reflections *r, int b, double factor) {
+    if (b < 0 || r->changed[b] == r->clock)
+        return;
+    keaAddScaled(r->s->velocity[b].lin, factor, r->change[b]);
+    keaAddScaled(r->s->velocity[b].ang, factor, r->change[b] + 3);
+    r->changed[b] = r->clock;
 }
 
-/* ---- one after the other ---- */
+/* Begins a set with body b; negative: the world. */
+static void beginSet(Reflections *r, int b) {
+    if (b < 0)
+        return;
+    r->set[b] = b;
+    r->firstFace[b] = -1;
+    memset(r->change[b], 0, sizeof r->change[b]);
+}
+
+/* Reflects the velocities of a set that is stopped by the impulses found; first: its first manifold. */
+static void reflectTogether(Reflections *r, int first) {
+    const double factor = factorOf(r, first);
+    if (!(factor > 0))
+        return;
+    r->clock++;
+    for (int i = first; i >= 0; i = r->face[i].next)
+        for (int k = 0; k < 2; k++)
+            changeBody(r, r->face[i].manifold->body[k], factor);
+    for (int i = first; i >= 0; i = r->face[i].next)
+        addImpulses(r, &r->face[i], factor);
+}
+
+/* Reflects the velocities of a set one manifold after the other. */
+static void reflectInTurn(Reflections *r, int first) {
+    for (int i = first, next; i >= 0; i = next) {
+        Face *f = &r->face[i];
+        next = f->next;
+        f->next = -1;
+        for (int k = 0; k < 2; k++)
+            beginSet(r, f->manifold->body[k]);
+        f->share = beginReflection(r, f);
+        if (f->share >= 0 && stopSet(r, i))
+            reflectTogether(r, i);
+    }
+}
+
+static void reflectSet(Reflections *r, int first) {
+    if (stopSet(r, first))
+        reflectTogether(r, first);
+    else
+        reflectInTurn(r, first);
+}
+
+/* ---- rounds ---- */
 
 /* r.clock at the last change of a body of the manifold. */
 static int lastChange(const Reflections *r, const Face *f) {
@@ -348,19 +419,54 @@ static int lastChange(const Reflections *r, const Face *f) {
     return last;
 }
 
-/* Reflects the manifolds that meet, in their order, until none is left or there were `max` reflections. A manifold is
- * visited again only if one of its bodies has changed. */
-static void reflectInTurn(Reflections *r, int max) {
-    for (MeBool isAny = METRUE; isAny && r->clock < max;) {
-        isAny = MEFALSE;
-        for (int i = 0; i < r->numFaces && r->clock < max; i++) {
-            Face *f = &r->face[i];
-            if (f->seen >= lastChange(r, f))
-                continue;
-            f->seen = r->clock;
-            r->visits += f->count;
-            isAny |= reflectFace(r, f);
-        }
+/* Lists the manifolds that meet, and returns their number. One is visited again only if one of its bodies has changed.
+ */
+static int listMeeting(Reflections *r) {
+    int count = 0;
+    for (int i = 0; i < r->numFaces; i++) {
+        Face *f = &r->face[i];
+        if (f->seen >= lastChange(r, f))
+            continue;
+        f->seen = r->clock;
+        r->visits += f->count;
+        f->share = beginReflection(r, f);
+        if (f->share >= 0)
+            r->meeting[count++] = i;
+    }
+    return count;
+}
+
+/* The set of a manifold's bodies. */
+static int setOf(const Reflections *r, const Face *f) {
+    return kea_rootOf(r->set, f->manifold->body[f->manifold->body[0] >= 0 ? 0 : 1]);
+}
+
+/* Joins the bodies that meet into sets, and lists the manifolds of each in their order. */
+static void joinSets(Reflections *r, int count) {
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < 2; k++)
+            beginSet(r, r->face[r->meeting[i]].manifold->body[k]);
+    for (int i = 0; i < count; i++) {
+        const int *body = r->face[r->meeting[i]].manifold->body;
+        if (body[0] >= 0 && body[1] >= 0)
+            kea_unite(r->set, body[0], body[1]);
+    }
+    for (int i = count - 1; i >= 0; i--) {
+        Face *f = &r->face[r->meeting[i]];
+        int *first = &r->firstFace[setOf(r, f)];
+        f->next = *first;
+        *first = r->meeting[i];
+    }
+}
+
+/* Makes rounds until nothing meets or there were `max` reflections of sets. */
+static void reflectInRounds(Reflections *r, int max) {
+    for (int before = 0, count; before < r->clock && r->clock < max && (count = listMeeting(r)) > 0;) {
+        before = r->clock;
+        joinSets(r, count);
+        for (int i = 0; i < count && r->clock < max; i++)
+            if (r->firstFace[setOf(r, &r->face[r->meeting[i]])] == r->meeting[i])
+                reflectSet(r, r->meeting[i]);
     }
 }
 
@@ -400,7 +506,7 @@ int MEAPI MdtKeaReflect(MdtKeaSystem *s) {
     Reflections r = {.s = s};
     if (!begin(&r))
         return 0;
-    reflectInTurn(&r, FIRST + KEA_REFLECTIONS * r.numFaces);
+    reflectInRounds(&r, FIRST + KEA_REFLECTIONS * r.numFaces);
     if (r.clock > FIRST)
         commit(&r);
     s->report.work = KEA_VISIT * (double)r.visits;
