@@ -349,13 +349,24 @@ static double reboundOf(const MdtKeaSystem *s, int i, double minSpeed) {
     return kea_reboundOfImpact(row->restitution, row->threshold, -kea_startRate(s, i), fallOf(s, row), minSpeed);
 }
 
-/* Marks the touching contacts that approach faster than `slowest` (isIncluded). Returns the speed of the fastest
- * rebound among them; 0: none rebounds. */
+/* m/s: of the touching contact that approaches fastest. */
+static double fastestApproach(const MdtKeaSystem *s) {
+    double fastest = 0;
+    for (int k = 0; k < s->work->problem.numRows; k++)
+        if (isApproaching(s, s->work->activeRow[k], fastest))
+            fastest = -kea_startRate(s, s->work->activeRow[k]);
+    return fastest;
+}
+
+/* Marks the touching contacts that take part in a round (isIncluded): those that approach faster than `slowest`, and
+ * not far more slowly than the fastest one, which acts first: else it would depend on rounding how two balls that move
+ * side by side hit a third. Returns the speed of the fastest rebound among them; 0: none rebounds. */
 static double markApproachingContacts(MdtKeaSystem *s, double slowest, double minReboundSpeed, char isIncluded[]) {
+    const double min = keaMax(slowest, kea_lastRound * fastestApproach(s));
     double fastest = 0;
     for (int k = 0; k < s->work->problem.numRows; k++) {
         const int i = s->work->activeRow[k];
-        isIncluded[i] = (char)isApproaching(s, i, slowest);
+        isIncluded[i] = (char)isApproaching(s, i, min);
         if (isIncluded[i])
             fastest = keaMax(fastest, reboundOf(s, i, minReboundSpeed));
     }

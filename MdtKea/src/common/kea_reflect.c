@@ -401,7 +401,25 @@ static void reflectInTurn(Reflections *r, int first) {
     }
 }
 
+/* Leaves points that approach far more slowly than the fastest one of the set to a later round (kea_impact.c). */
+static void leaveSlowPoints(Reflections *r, int first) {
+    double fastest = 0;
+    for (int i = first; i >= 0; i = r->face[i].next)
+        for (int k = 0; k < r->face[i].count; k++)
+            if (r->point[r->face[i].first + k].isIn)
+                fastest = keaMax(fastest, -r->point[r->face[i].first + k].rate);
+    for (int i = first; i >= 0; i = r->face[i].next)
+        for (int k = 0; k < r->face[i].count; k++) {
+            Point *p = &r->point[r->face[i].first + k];
+            if (p->isIn && -p->rate < kea_lastRound * fastest) {
+                p->isIn = MEFALSE;
+                r->face[i].seen = 0;
+            }
+        }
+}
+
 static void reflectSet(Reflections *r, int first) {
+    leaveSlowPoints(r, first);
     if (stopSet(r, first))
         reflectTogether(r, first);
     else

@@ -49,9 +49,8 @@ MeBool kea_isContactOpen(const MdtKeaSystem *s, int i, double speed) {
 
 /* ---- which systems are timed ---- */
 
-/* Springs exclude timed steps: their forces change within a step, and stiff ones need the damping of θ = 1. So do
- * overlaps, whose projection against joints changes the energy, unless the bodies still approach fast: that is a late
- * impact, of a body that was hit in the last step and had no contact with the next body yet. */
+/* Springs exclude timed steps: their forces change within a step, and stiff ones need the damping of θ = 1. Overlaps do
+ * not: a body that was hit in the last step, and had no contact with the next one yet, meets it late. */
 MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
     const double minSpeed = kea_minReboundSpeed * kea_eventSpeed(s), reach = kea_reach * s->parameters.stepsize;
     MeBool bounces = MEFALSE;
@@ -63,9 +62,6 @@ MeBool MEAPI MdtKeaBounces(const MdtKeaSystem *s) {
             continue;
         const double rate = keaMin(kea_startRate(s, i), freeRate(s, row) - row->drift);
         const MeBool isFast = -rate > row->threshold && -rate * row->restitution > minSpeed;
-        const MeBool isDeep = row->error <= -kea_touchingGap * kea_smallerExtent(s, row->body);
-        if (isDeep && !isFast)
-            return MEFALSE;
         if (isFast && row->error + reach * rate < 0)
             bounces = METRUE;
     }

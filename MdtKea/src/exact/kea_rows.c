@@ -95,24 +95,31 @@ static void moveTouchingByEnd(MdtKeaSystem *s) {
     }
 }
 
-/* Whether a contact damps its bodies: one that loses next to nothing does only while it acts, as far as is known: it
- * has a force, or would overlap without one. Otherwise two balls of a cradle that swing side by side come to rest. */
-static MeBool damps(const MdtKeaSystem *s, int i) {
+/* m/s: the approach above which lossless contacts damp; 0: there are none. */
+static double dampedApproach(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact == i && s->rows[i].restitution > kea_lossyRestitution)
+            return kea_separatingSpeed * kea_eventSpeed(s);
+    return 0;
+}
+
+/* Whether a contact damps its bodies: one that loses next to nothing does only if it stops an approach, which the mean
+ * motion would turn into an overlap. Otherwise two balls of a cradle that swing side by side come to rest. */
+static MeBool damps(const MdtKeaSystem *s, int i, double approach) {
     const MdtKeaRow *row = &s->rows[i];
-    const double h = s->parameters.stepsize;
     if (s->work->problem.row[i].isInactive)
         return MEFALSE;
-    return row->restitution <= kea_lossyRestitution || row->force != 0 || row->error <= 0 ||
-           row->error + h * (keaMin(rateAt(row, s->predicted), rateAt(row, s->velocity)) - row->drift) < 0;
+    return row->restitution <= kea_lossyRestitution || rateAt(row, s->velocity) - row->drift < -approach;
 }
 
 static void chooseTheta(MdtKeaSystem *s) {
     kea_markTied(s);
     for (int i = 0; i < s->numBodies; i++)
         s->work->body[i].theta = s->work->body[i].moveTheta = 0.5;
+    const double approach = s->parameters.timed ? 0 : dampedApproach(s);
     for (int i = 0; i < s->numRows && !s->parameters.timed; i++) {
         const MdtKeaRow *row = &s->rows[i];
-        const MeBool isActing = row->contact == i ? damps(s, i)
+        const MeBool isActing = row->contact == i ? damps(s, i, approach)
                                                   : row->position && kea_mayReachBound(row) && row->force != 0 &&
                                                         rateAt(row, s->velocity) <= -row->carried;
         if (isActing || kea_isBackward(s, row))
