@@ -175,6 +175,7 @@ struct _McdContact {
     double exactPosition[3]; /**< The position before rounding to MeReal: use McdContactGetPosition. */
     double radius[2];        /**< Radii of both surfaces, where round: use McdContactGetRadius. */
     int vertices;            /**< Bit k: a vertex of model k touches: use McdContactIsVertex. */
+    MeVector3 edge;          /**< Axis of the triangle's edge that a round surface rolls over; 0: none. */
 };
 
 /** The result of McdIntersect. Set the first three members before the call. */

@@ -43,6 +43,14 @@ MEPUBLIC double MEAPI McdContactGetRadius(const McdContact *c, int side);
 MEPUBLIC double MEAPI McdContactGetRim(const McdContact *c, int side, double axis[3]);
 
 /**
+ * Whether a model touches with an edge, or with the side of a capsule or cylinder: the line along it, about which the
+ * normal turns as something round rolls over it. Writes its axis (unit, world). False, and nothing is written, for
+ * faces, vertices and round ends, and for triangles that it rolls onto within the step. `side` and bad arguments as for
+ * McdContactGetRim. Beyond Karma.
+ */
+MEPUBLIC MeBool MEAPI McdContactGetEdge(const McdContact *c, int side, double axis[3]);
+
+/**
  * Whether a vertex of a polyhedral model touches: the contact point then moves with this model. False for points
  * inside of edges and faces, for round surfaces, and for rims. `side` and bad arguments as for McdContactGetRadius.
  * Beyond Karma.

@@ -173,12 +173,12 @@ MEPUBLIC void MEAPI McdModelPairForgetTest(McdModelPair *p);
 /** A contact in double precision, world frame, with the curvature of both surfaces there; index 0: model1. */
 typedef struct McdExactContact {
     double position[3], separation, radius[2]; /**< m */
-    double rim[2], axis[2][3];                 /**< m, unit; the axis is set only if there is a rim */
+    double rim[2], axis[2][3];                 /**< m, unit: axes of rims or, where the rim is 0, edges; 0: none */
     MeBool isVertex[2];
 } McdExactContact;
-/** The results of McdContactGetPosition, McdContactGetSeparation, McdContactGetRadius, McdContactGetRim and
- *  McdContactIsVertex in one
- *  call, without their checks: @a c must be a contact. */
+/** The results of McdContactGetPosition, McdContactGetSeparation, McdContactGetRadius, McdContactGetRim,
+ *  McdContactIsVertex and, where the other side is round, McdContactGetEdge in one call, without their checks: @a c
+ *  must be a contact. */
 MEPUBLIC void MEAPI McdContactGetExact(const McdContact *c, McdExactContact *exact);
 
 /** @name Continuous motion

@@ -85,6 +85,15 @@ MEPUBLIC void MEAPI MdtContactSetRim(const MdtContactID c, const unsigned int bo
 /** m, of the body of index 0 or 1; writes the axis, a unit vector in the world frame. */
 MEPUBLIC MeReal MEAPI MdtContactGetRim(const MdtContactID c, const unsigned int bodyindex, MeVector3 axis);
 /**
+ * The body touches with an edge, or with the side of a capsule, whose radius is that of MdtContactSetRadius: the axis
+ * along it, in the world frame, of any length. As something round rolls over it, the normal turns about this axis. 0,
+ * the default: no edge. Removes a circle (MdtContactSetRim). MdtContactGetEdge tells whether there is one, and writes
+ * its unit axis, zero if there is none. Beyond Karma.
+ */
+MEPUBLIC void MEAPI MdtContactSetEdge(const MdtContactID c, const unsigned int bodyindex, const MeVector3 axis);
+/** Writes the axis of the body of index 0 or 1; MEFALSE by default. */
+MEPUBLIC MeBool MEAPI MdtContactGetEdge(const MdtContactID c, const unsigned int bodyindex, MeVector3 axis);
+/**
  * Whether a vertex of the body touches: within a step the contact then moves with this body, as when a box rocks on
  * its corners. False, the default: the contact moves with the rotation that both bodies have in common. A circle or a
  * radius takes precedence. Beyond Karma.

@@ -143,7 +143,7 @@ typedef struct MdtFoundContact {
     double depth;              /**< m; negative: a gap */
     MeReal normal[3];          /**< direction in which the group's first body is pushed; not zero, of any length */
     MeReal radius[2];          /**< m, for each of the group's bodies: MdtContactSetRadius */
-    double rim[2], axis[2][3]; /**< m, unit vectors, likewise: MdtContactSetRim */
+    double rim[2], axis[2][3]; /**< m, unit vectors or 0, likewise: MdtContactSetRim, MdtContactSetEdge if rim is 0 */
     MeBool isVertex[2];        /**< likewise: MdtContactSetVertex */
     MeU32 feature;             /**< MdtContactSetFeature */
     const MdtBclContactParams *params; /**< copied */

@@ -369,6 +369,12 @@ TEST(what_is_no_contact_or_no_side_gets_a_warning) {
     ck_assert(!McdContactIsVertex(&c, 2));
     assert_warned("McdContactIsVertex: side must be 0");
     double axis[3];
+    ck_assert(!McdContactGetEdge(0, 0, axis));
+    assert_warned("McdContactGetEdge: no contact");
+    ck_assert(!McdContactGetEdge(&c, 2, axis));
+    assert_warned("McdContactGetEdge: side must be 0");
+    ck_assert(!McdContactGetEdge(&c, 1, 0));
+    assert_warned("McdContactGetEdge: no place for the axis");
     ck_assert(McdContactGetRim(0, 0, axis) == 0);
     assert_warned("McdContactGetRim: no contact");
     ck_assert(McdContactGetRim(&c, 2, axis) == 0);

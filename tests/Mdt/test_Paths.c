@@ -144,6 +144,15 @@ TEST(a_rim_is_a_radius_and_an_axis) {
     ck_assert(MdtContactIsVertex(c, 1) && !MdtContactIsVertex(c, 0));
     assert_refused(MdtContactSetVertex, c, 2, METRUE);
     assert_none(MdtContactIsVertex, c, 2);
+    MdtContactSetEdge(c, 1, (MeVector3){0, 0, 3});
+    ck_assert(MdtContactGetRim(c, 1, axis) == 0 && MdtContactGetEdge(c, 1, axis) && !MdtContactGetEdge(c, 0, axis));
+    assert_vec3_near(axis, 0, 0, 0, 0);
+    MdtContactGetEdge(c, 1, axis);
+    assert_vec3_near(axis, 0, 0, 1, 0);
+    assert_refused(MdtContactSetEdge, c, 2, axis);
+    assert_refused(MdtContactSetEdge, c, 1, 0);
+    MdtContactSetEdge(c, 1, (MeVector3){0, 0, 0});
+    ck_assert(!MdtContactGetEdge(c, 1, axis));
     MdtContactReset(c);
     ck_assert(MdtContactGetRim(c, 1, axis) == 0 && !MdtContactIsVertex(c, 1));
     MdtWorldDestroy(w);

@@ -87,6 +87,33 @@ double mcd_surfaceRadius(const McdShape *s, const double outward[3], const doubl
     return s->kind->radius ? s->kind->radius(s, outward, point) : s->rounding;
 }
 
+/* The support points in directions nearby lie on a line along an edge, far apart; a face has others across it. */
+MeBool mcd_shapeEdge(const McdShape *s, const double outward[3], double axis[3]) {
+    static const double nearby = 1e-3; /* rad */
+    double across[2][3], point[4][3], longest[3] = {0, 0, 0};
+    mcd_basis(outward, across[0], across[1]);
+    for (int i = 0; i < 4; i++) {
+        double direction[3], along[3];
+        mcd_mad(direction, outward, i % 2 ? nearby : -nearby, across[i / 2]);
+        mcd_coreSupport(s, direction, point[i]);
+        mcd_sub(along, point[i], point[0]);
+        if (mcd_length(along) > mcd_length(longest))
+            mcd_copy(longest, along);
+    }
+    const double length = mcd_length(longest);
+    if (!(length > nearby * s->extent))
+        return MEFALSE;
+    for (int i = 1; i < 4; i++) {
+        double along[3], aside[3];
+        mcd_sub(along, point[i], point[0]);
+        mcd_cross(aside, along, longest);
+        if (mcd_length(aside) > nearby * length * length)
+            return MEFALSE;
+    }
+    mcd_scale(axis, longest, 1 / length);
+    return METRUE;
+}
+
 MeBool mcd_shapeHasRim(const McdShape *s) {
     return s->kind->rim && (!s->kind->isSampled || s->sampled->features->hasDisc);
 }

@@ -148,6 +148,8 @@ void mcd_shapeBounds(const McdShape *s, double low[3], double high[3]);
 double mcd_surfaceRadius(const McdShape *s, const double outward[3], const double point[3]);
 /* Whether the shape has circular rims about its z axis (McdKind.rim). */
 MeBool mcd_shapeHasRim(const McdShape *s);
+/* Whether the core's support in the direction is an edge, or the side of a cylinder: writes its unit axis. */
+MeBool mcd_shapeEdge(const McdShape *s, const double outward[3], double axis[3]);
 /* m: by how much support points are not the farthest ones; 0 but for a program's function in single precision. */
 double mcd_shapeNoise(const McdShape *s);
 

@@ -51,16 +51,22 @@ double MEAPI McdContactGetRadius(const McdContact *c, int side) {
     return radiusOf(c, side);
 }
 
-static double rimOfShape(const McdContact *c, int side, McdGeometryInstanceID ins, double axis[3]) {
-    double place[3], outward[3], point[3];
-    McdShape shape;
+/* The instance's shape, about the contact, with the outward normal there. */
+static MeBool shapeAt(const McdContact *c, int side, McdGeometryInstanceID ins, McdShape *shape, double outward[3]) {
+    double place[3];
     positionOf(c, place);
-    if (!mcd_shapeOf(ins, place, &shape))
-        return 0;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         outward[i] = (side == 0 ? -1 : 1) * (double)c->normal[i];
+    return mcd_shapeOf(ins, place, shape);
+}
+
+static double rimOfShape(const McdContact *c, int side, McdGeometryInstanceID ins, double axis[3]) {
+    double outward[3], point[3];
+    McdShape shape;
+    if (!shapeAt(c, side, ins, &shape, outward))
+        return 0;
+    for (int i = 0; i < 3; i++)
         point[i] = -0.5 * c->exactSeparation * outward[i];
-    }
     const double rim = shape.kind->rim(&shape, outward, point);
     for (int i = 0; i < 3 && rim > 0; i++)
         axis[i] = shape.axis[2][i];
@@ -95,6 +101,38 @@ double MEAPI McdContactGetRim(const McdContact *c, int side, double axis[3]) {
     return rimOf(c, side, axis);
 }
 
+/* Of a triangle, as the test has found it. */
+static MeBool edgeOfTriangle(const McdContact *c, double axis[3]) {
+    if (!(MeVector3Dot(c->edge, c->edge) > 0))
+        return MEFALSE;
+    mcd_fromReal(axis, c->edge);
+    mcd_scale(axis, axis, 1 / mcd_length(axis));
+    return METRUE;
+}
+
+static MeBool edgeOf(const McdContact *c, int side, double axis[3]) {
+    const McdGeometryInstanceID ins = instanceOf(c, side);
+    const McdKind *kind = ins ? mcd_kindOf(ins->geometry) : 0;
+    double outward[3];
+    McdShape shape;
+    if (!kind || !isSeparationAsFound(c) || !mcd_instanceIsPlaced(ins))
+        return MEFALSE;
+    if (!kind->support)
+        return edgeOfTriangle(c, axis);
+    return shapeAt(c, side, ins, &shape, outward) && mcd_shapeEdge(&shape, outward, axis);
+}
+
+MeBool MEAPI McdContactGetEdge(const McdContact *c, int side, double axis[3]) {
+    if (!c || !axis || side < 0 || side > 1) {
+        MeWarning(1, "McdContactGetEdge: %s",
+                  !c     ? "no contact"
+                  : axis ? "side must be 0, for the first model, or 1"
+                         : "no place for the axis");
+        return MEFALSE;
+    }
+    return edgeOf(c, side, axis);
+}
+
 static MeBool isVertex(const McdContact *c, int side) {
     return isSeparationAsFound(c) && (c->vertices & 1 << side);
 }
@@ -118,15 +156,28 @@ unsigned int MEAPI McdContactGetMaterial(const McdContact *c, int side) {
     return mcd_elementMaterial(ins, side ? c->element2 : c->element1);
 }
 
+/* Sets the axes of edges and of capsules' sides, about which the normal turns, where the other side is round. */
+static void setEdges(const McdContact *c, McdExactContact *exact) {
+    MeBool isRound[2] = {exact->radius[0] > 0 || exact->rim[0] > 0, exact->radius[1] > 0 || exact->rim[1] > 0};
+    const int flat = isRound[0] ? 1 : 0; /* first, as a capsule's axis counts on an edge, too */
+    for (int i = 0; i < 2; i++) {
+        const int side = i ? 1 - flat : flat;
+        if (isRound[1 - side] && !(exact->rim[side] > 0) && edgeOf(c, side, exact->axis[side]))
+            isRound[side] = METRUE;
+    }
+}
+
 void MEAPI McdContactGetExact(const McdContact *c, McdExactContact *exact) {
     MEASSERT(c && exact);
     positionOf(c, exact->position);
     exact->separation = separationOf(c);
     for (int side = 0; side < 2; side++) {
+        memset(exact->axis[side], 0, sizeof exact->axis[side]);
         exact->radius[side] = radiusOf(c, side);
         exact->isVertex[side] = isVertex(c, side);
         exact->rim[side] = rimOf(c, side, exact->axis[side]);
     }
+    setEdges(c, exact);
 }
 
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */

@@ -147,6 +147,7 @@ McdContact *mcd_resultAdd(McdIntersectResult *result, const McdManifold *m, cons
         c->radius[0] = point->radius[0];
         c->radius[1] = point->radius[1];
         c->vertices = (point->isVertex[0] ? 1 : 0) | (point->isVertex[1] ? 2 : 0);
+        c->edge[0] = c->edge[1] = c->edge[2] = 0;
         c->feature = mcd_featureNumber(point->feature);
         c->instance1 = ins1;
         c->instance2 = ins2;

@@ -321,6 +321,7 @@ static void addToResult(McdMeshQuery *q, McdIntersectResult *result) {
         if (added) {
             added->element2 = elementOf(q, c);
             added->dims = c->dims;
+            mcd_toReal(added->edge, c->edge);
         }
     }
 }
@@ -348,6 +349,7 @@ int MEAPI mcd_meshIntersect(McdModelPair *p, McdIntersectResult *result) {
         mcd_meshAddAround(&q);
         mcd_meshBuildAdjacency(q.mesh);
         mcd_meshFindContacts(&q);
+        mcd_meshMarkEdges(&q);
         mcd_meshSweep(&q);
         mcd_meshReduceContacts(&q, result->contactMaxCount);
         addToResult(&q, result);

@@ -95,6 +95,15 @@ static MeBool isTooFar(const McdMeshQuery *q, double separation) {
     return separation > q->margin + MCD_MESH_OVERLAP * q->shape.extent;
 }
 
+/* Whether the shape touches with a point of its axis: the tip of a cone. */
+static MeBool isOnAxis(const McdShape *s, const McdMeshContact *c) {
+    double offset[3];
+    mcd_mad(offset, c->position, c->separation / 2, c->normal);
+    mcd_sub(offset, offset, s->place);
+    mcd_mad(offset, offset, -mcd_dot(offset, s->axis[2]), s->axis[2]);
+    return mcd_length(offset) <= MCD_MESH_OVERLAP * s->extent;
+}
+
 void mcd_meshAddContact(McdMeshQuery *q, const McdMeshTriangle *t, const double position[3], const double normal[3],
                         double separation, MeU32 feature, MeBool isCut) {
     McdMesh *mesh = q->mesh;
@@ -120,7 +129,9 @@ void mcd_meshAddContact(McdMeshQuery *q, const McdMeshTriangle *t, const double 
     c->feature = mcd_meshHash(feature, quantizedNormal(normal));
     c->element = t->element;
     c->isCut = isCut;
-    c->isVertex = !isCut && !mcd_shapeHasRim(&q->shape);
+    c->isOnFace = mcd_meshAreParallel(normal, t->normal);
+    mcd_set(c->edge, 0, 0, 0);
+    c->isVertex = !isCut && (!mcd_shapeHasRim(&q->shape) || isOnAxis(&q->shape, c));
 }
 
 MeBool mcd_meshAddPoints(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], const McdPolygon *p,

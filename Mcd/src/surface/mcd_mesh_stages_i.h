@@ -60,6 +60,8 @@ void mcd_meshFindContacts(McdMeshQuery *q);
 
 /* Adapts the contacts of a ball to its motion during the step; other shapes keep theirs. */
 void mcd_meshSweep(McdMeshQuery *q);
+/* Marks contacts of round surfaces that roll over an edge throughout the step (mcd_mesh_edge.c). */
+void mcd_meshMarkEdges(McdMeshQuery *q);
 
 /* ---- contacts along a given normal (mcd_mesh_clip.c) ------------------------------------------------------------- */
 

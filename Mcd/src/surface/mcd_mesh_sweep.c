@@ -141,5 +141,6 @@ void mcd_meshSweep(McdMeshQuery *q) {
         return;
     addContactAhead(q);
     for (int i = 0; i < found; i++)
-        followSurface(q, &q->mesh->contact[i]);
+        if (mcd_dot(q->mesh->contact[i].edge, q->mesh->contact[i].edge) == 0)
+            followSurface(q, &q->mesh->contact[i]);
 }

@@ -142,7 +142,7 @@ void MEAPI MdtContactSetRim(const MdtContactID c, const unsigned int bodyindex, 
         return;
     for (int i = 0; i < 3; i++)
         unit[i] = (double)axis[i];
-    keaScale(unit, 1 / keaLength(unit), unit);
+    keaScale(unit, radius > 0 ? 1 / keaLength(unit) : 0, unit);
     mdt_pointSetRim(p, (int)bodyindex, (double)radius, unit);
 }
 
@@ -152,8 +152,32 @@ MeReal MEAPI MdtContactGetRim(const MdtContactID c, const unsigned int bodyindex
     if (!p || !mdt_isSide(__func__, bodyindex) || !mdt_isResult(__func__, axis, 3))
         return 0;
     const double rim = mdt_pointRim(p, (int)bodyindex, unit);
+    keaScale(unit, rim > 0 ? 1 : 0, unit);
     mdt_toReal(axis, unit);
     return (MeReal)rim;
+}
+
+void MEAPI MdtContactSetEdge(const MdtContactID c, const unsigned int bodyindex, const MeVector3 axis) {
+    MdtPoint *p = mdt_pointOf(c, __func__);
+    double unit[3];
+    if (!p || !mdt_isSide(__func__, bodyindex) || !mdt_isPointer(__func__, "the axis", axis) ||
+        !mdt_isFinite3(__func__, "the axis", axis[0], axis[1], axis[2]))
+        return;
+    mdt_fromReal(unit, axis);
+    const double length = keaLength(unit);
+    keaScale(unit, length > 0 ? 1 / length : 0, unit);
+    mdt_pointSetRim(p, (int)bodyindex, 0, unit);
+}
+
+MeBool MEAPI MdtContactGetEdge(const MdtContactID c, const unsigned int bodyindex, MeVector3 axis) {
+    const MdtPoint *p = mdt_isResult(__func__, axis, 3) ? mdt_pointOf(c, __func__) : NULL;
+    double unit[3];
+    if (!p || !mdt_isSide(__func__, bodyindex))
+        return MEFALSE;
+    const MeBool isEdge = !(mdt_pointRim(p, (int)bodyindex, unit) > 0) && mdt_isAxis(unit);
+    keaScale(unit, isEdge ? 1 : 0, unit);
+    mdt_toReal(axis, unit);
+    return isEdge;
 }
 
 void MEAPI MdtContactSetVertex(const MdtContactID c, const unsigned int bodyindex, const MeBool isVertex) {

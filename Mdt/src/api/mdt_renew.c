@@ -159,10 +159,10 @@ static MeBool hasFoundValues(const MdtManifold *block, const MdtExtra *extra, co
         memcmp(radius, found->radius, sizeof found->radius) != 0)
         return MEFALSE;
     for (int k = 0; k < 2; k++) {
-        const MeBool hasRim = found->rim[k] > 0;
-        if (extra ? extra->rim[k] != found->rim[k] : hasRim)
+        if (!extra && mdt_isAxis(found->axis[k]))
             return MEFALSE;
-        if (hasRim && memcmp(extra->axis[k], found->axis[k], sizeof extra->axis[k]) != 0)
+        if (extra &&
+            (extra->rim[k] != found->rim[k] || memcmp(extra->axis[k], found->axis[k], sizeof extra->axis[k]) != 0))
             return MEFALSE;
     }
     return memcmp(&block->surface->params, found->params, sizeof *found->params) == 0;
@@ -172,7 +172,7 @@ static MeBool hasFoundValues(const MdtManifold *block, const MdtExtra *extra, co
 static MeBool sharesValues(const MdtFoundContact *found, const MdtFoundContact *first) {
     return memcmp(found->normal, first->normal, sizeof found->normal) == 0 &&
            memcmp(found->radius, first->radius, sizeof found->radius) == 0 && found->params == first->params &&
-           !(found->rim[0] > 0) && !(found->rim[1] > 0);
+           !mdt_isAxis(found->axis[0]) && !mdt_isAxis(found->axis[1]);
 }
 
 /* The found contact from which the last point was set; with its record if the record's shared values equal it. */

@@ -46,7 +46,7 @@ typedef struct MdtExtra {
     MeReal normal[3], radius[2];  /* valid with MDT_OWN_NORMAL, MDT_OWN_RADIUS */
     double direction[3];          /* valid with MDT_OWN_DIRECTION */
     MdtKeaVelocity worldVelocity; /* m/s, rad/s */
-    double rim[2], axis[2][3];    /* m; unit vectors if the rim is not 0: MdtContactSetRim */
+    double rim[2], axis[2][3];    /* m; unit: MdtContactSetRim or, if the rim is 0, MdtContactSetEdge */
     MeU64 certified;              /* MDT_WATCHED: hash of `params` after the step that was certified */
 } MdtExtra;
 

@@ -117,7 +117,7 @@ double mdt_pointRim(const MdtPoint *p, int side, double axis[3]) {
     const MdtManifold *block = mdt_blockOf(p);
     const MdtExtra *extra = block->extras ? mdt_extraOf(block, p->slot) : NULL;
     keaZero(axis);
-    if (!extra || !(extra->rim[side] > 0))
+    if (!extra)
         return 0;
     keaCopy(axis, extra->axis[side]);
     return extra->rim[side];
@@ -129,15 +129,14 @@ MeBool mdt_pointIsRound(const MdtPoint *p, int side) {
 }
 
 void mdt_pointSetRim(MdtPoint *p, int side, double rim, const double axis[3]) {
-    static const double none[3] = {0, 0, 0};
     MdtManifold *block = mdt_blockOf(p);
     MdtExtra *extra = mdt_extraOf(block, p->slot);
-    if (!extra && rim > 0)
+    if (!extra && mdt_isAxis(axis))
         extra = mdt_extraMake(block, p->slot, "MdtContactSetRim");
     if (!extra)
         return;
     setProperty(p, &extra->rim[side], &rim, sizeof rim);
-    setProperty(p, extra->axis[side], rim > 0 ? axis : none, sizeof extra->axis[side]);
+    setProperty(p, extra->axis[side], axis, sizeof extra->axis[side]);
 }
 
 /* Replaces `direction` by the unit vector along its projection on the contact plane; false if it is parallel to the

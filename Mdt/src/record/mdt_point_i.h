@@ -42,7 +42,8 @@ void mdt_pointNormal(const MdtPoint *p, double normal[3]); /* unit */
 void mdt_pointDirection(const MdtPoint *p, const double normal[3], double direction[3]);
 MeReal mdt_pointRadius(const MdtPoint *p, int side);
 const MdtKeaVelocity *mdt_pointWorldVelocity(const MdtPoint *p);
-/* The radius and axis of the circle with which the body touches (MdtContactSetRim); 0 if there is none. */
+/* The radius and axis of the circle with which the body touches (MdtContactSetRim); 0 if there is none. Of an edge
+ * (MdtContactSetEdge) the radius is 0. */
 double mdt_pointRim(const MdtPoint *p, int side, double axis[3]);
 /* True if the surface of that body is round at the contact, so that it rolls. */
 MeBool mdt_pointIsRound(const MdtPoint *p, int side);
@@ -54,7 +55,11 @@ static inline void mdt_pointSetVertex(MdtPoint *p, int side, MeBool isVertex) {
     const unsigned int others = p->vertices & ~(1u << side);
     p->vertices = (MeU8)(others | (isVertex ? 1u << side : 0)) & 3u;
 }
+/* axis: unit; 0: neither a circle nor an edge, and rim is 0. */
 void mdt_pointSetRim(MdtPoint *p, int side, double rim, const double axis[3]);
+static inline MeBool mdt_isAxis(const double axis[3]) {
+    return keaDot(axis, axis) > 0;
+}
 void mdt_pointSetParams(MdtPoint *p, const MdtBclContactParams *params);
 void mdt_pointSetNormal(MdtPoint *p, const MeReal normal[3]);
 void mdt_pointSetRadius(MdtPoint *p, int side, MeReal radius);

@@ -15,7 +15,8 @@ static MeBool isMoving(const MdtKeaVelocity *v) {
 /* True if the point has values of its own, besides normal and radii, that a manifold of Kea's has only once. */
 static MeBool needsOwnManifold(const MdtExtra *extra) {
     const int own = MDT_OWN_PARAMS | MDT_OWN_DIRECTION | MDT_WATCHED;
-    return (extra->record.flags & own) || isMoving(&extra->worldVelocity) || extra->rim[0] > 0 || extra->rim[1] > 0;
+    return (extra->record.flags & own) || isMoving(&extra->worldVelocity) || mdt_isAxis(extra->axis[0]) ||
+           mdt_isAxis(extra->axis[1]);
 }
 
 /* True if some point of the record has values that differ from the shared ones. */

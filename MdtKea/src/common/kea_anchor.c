@@ -84,6 +84,104 @@ static double depthWithinRounding(const MdtKeaSystem *s, const KeaContact *c) {
     return fmin(fmax(sunk <= rounding ? sunk : 0, depth - rounding), depth + rounding);
 }
 
+/* ---- centres of curvature ---- */
+
+/* r += share (cay(φ) r - r), with cay(φ) r - r = (φ x r + φ x (φ x r) / 2) / (1 + φ²/4), the rotation of bodies. */
+static void turnBy(const double turn[3], double share, double r[3]) {
+    const double halfAngleFactor = share / (1 + keaDot(turn, turn) / 4);
+    double once[3], twice[3];
+    keaCross(once, turn, r);
+    keaCross(twice, turn, once);
+    keaAddScaled(r, halfAngleFactor, once);
+    keaAddScaled(r, 0.5 * halfAngleFactor, twice);
+}
+
+/* Displacement, m, and rotation vector, rad, of a side in this sub-step. */
+static void motionOf(const MdtKeaSystem *s, const KeaContact *c, int k, const double move[6], double displacement[3],
+                     double turn[3]) {
+    const double h = isPlaced(c, k) ? 0 : s->parameters.stepsize;
+    const MdtKeaVelocity *given = isWorld(c, k) ? sideVelocityOf(s, c, k) : NULL;
+    keaScale(displacement, h, given ? given->lin : move);
+    keaScale(turn, h, given ? given->ang : move + 3);
+}
+
+/* The axis of the circle or line (world); 0 without one. */
+static void circleAxisOf(const MdtKeaSystem *s, const KeaContact *c, int k, double axis[3]) {
+    MdtKeaTransformation memory;
+    if (c->circle[k] > 0 || c->isLine[k])
+        keaApply(axis, poseOf(s, c, k, &memory)->R, c->circleAxis[k]);
+    else
+        keaZero(axis);
+}
+
+/* Where a point of a side is after a share of the sub-step: its anchor, and `out` from there. */
+static void movePoint(const MdtKeaSystem *s, const KeaContact *c, int k, const double move[6], double share,
+                      const double out[3], double at[3]) {
+    MdtKeaTransformation memory;
+    const MdtKeaTransformation *pose = poseOf(s, c, k, &memory);
+    double displacement[3], turn[3];
+    motionOf(s, c, k, move, displacement, turn);
+    keaApply(at, pose->R, c->anchor[k]);
+    turnBy(turn, share, at);
+    keaAddScaled(at, 1, out);
+    keaAddScaled(at, 1, pose->pos);
+    keaAddScaled(at, share, displacement);
+}
+
+/* The line of the centres of curvature after a share of the sub-step, from the second side to the first. What is round
+ * about a line, such as a cylinder or an edge, has its centre where that is nearest to the other one's. move: null at
+ * share 0. */
+static void lineOfCentres(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6], double share,
+                          double line[3]) {
+    static const double centre[3], still[2][6];
+    const double(*moves)[6] = move ? move : still;
+    double other[3];
+    movePoint(s, c, 0, moves[0], share, centre, line);
+    movePoint(s, c, 1, moves[1], share, centre, other);
+    keaSubtract(line, line, other);
+    for (int k = 0; k < 2; k++) {
+        double displacement[3], turn[3], axis[3];
+        if (!c->isLine[k])
+            continue;
+        motionOf(s, c, k, moves[k], displacement, turn);
+        circleAxisOf(s, c, k, axis);
+        turnBy(turn, share, axis);
+        keaAddScaled(line, -keaDot(line, axis), axis);
+    }
+}
+
+/* The rotation from one direction to another: a = u x v and u·v of the unit vectors. */
+static double turnBetween(const double from[3], const double to[3], double a[3]) {
+    const double perLengths = 1 / (keaLength(from) * keaLength(to));
+    keaCross(a, from, to);
+    keaScale(a, perLengths, a);
+    return keaDot(from, to) * perLengths;
+}
+
+/* Turns d by that rotation, d + a x d + a x (a x d) / (1 + u·v). False: the centres have passed each other. */
+static MeBool turnAlong(const double a[3], double along, double d[3]) {
+    double once[3], twice[3];
+    if (!(along > kea_minAcross))
+        return MEFALSE;
+    keaCross(once, a, d);
+    keaCross(twice, a, once);
+    keaAddScaled(d, 1, once);
+    keaAddScaled(d, 1 / (1 + along), twice);
+    return METRUE;
+}
+
+/* Whether a side has a centre of curvature: it is round, a vertex, or an edge. A rim that is not at right angles to the
+ * normal has none. */
+static MeBool hasCentre(const KeaContact *c, int k) {
+    return c->isLine[k] || (!(c->circle[k] > 0) && (c->manifold->radius[k] > 0 || c->at->isVertex[k]));
+}
+
+/* Whether the normal is the line of the centres of curvature of both sides. */
+static MeBool haveCentres(const KeaContact *c) {
+    const double *radius = c->manifold->radius;
+    return hasCentre(c, 0) && hasCentre(c, 1) && radius[0] + radius[1] + c->circle[0] + c->circle[1] > 0;
+}
+
 /* ---- anchors, at the start of the step ---- */
 
 /* The vector `out` from the anchor to the surface point, with o the outward normal: r o for a sphere; for a circle with
@@ -112,15 +210,6 @@ static MeBool isAboutCentre(const KeaContact *c, int k) {
            keaLength(c->anchor[k]) <= kea_centredBall * c->manifold->radius[k];
 }
 
-/* Whether the body is a ball about its centre of mass: a sphyl (capsule) has round ends, too, but different moments. Of
- * a body with locked rotations the moments do not tell. */
-static MeBool isBall(const MdtKeaSystem *s, const KeaContact *c, int k) {
-    const double *I = isWorld(c, k) ? NULL : s->bodies[c->manifold->body[k]]->moments;
-    const double max = I ? kea_equalMoments * I[0] : 0;
-    return I && !(s->work->body[c->manifold->body[k]].locked & MdtKeaLOCKEDROTATIONS) && c->isAboutCentre[k] &&
-           fabs(I[1] - I[0]) <= max && fabs(I[2] - I[0]) <= max;
-}
-
 /* m: the radius of the circle that touches; 0 if its axis may become parallel to the normal within the sub-step. A
  * circle that lies flat has no farthest point, and close to that the farthest point moves far along the circle. */
 static double circleOf(const MdtKeaSystem *s, const KeaContact *c, int k) {
@@ -129,6 +218,13 @@ static double circleOf(const MdtKeaSystem *s, const KeaContact *c, int k) {
     keaCross(aside, axis, c->normal);
     keaCross(turn, axis, sideVelocityOf(s, c, k)->ang);
     return keaLength(aside) > s->parameters.stepsize * keaLength(turn) ? c->manifold->rim[k] : 0;
+}
+
+/* Whether the surface is round about a line at right angles to the normal: the side of a cylinder or capsule, an edge.
+ */
+static MeBool isLine(const KeaContact *c, int k) {
+    const double *axis = c->manifold->axis[k];
+    return keaDot(axis, axis) > 0 && fabs(keaDot(axis, c->normal)) < kea_acrossLine;
 }
 
 static void setAnchors(const MdtKeaSystem *s, KeaContact *c) {
@@ -148,11 +244,13 @@ static void setAnchors(const MdtKeaSystem *s, KeaContact *c) {
         keaAddScaled(arm, (k == 0 ? -1 : 1) * 0.5 * c->depth, normal);
         keaAddScaled(arm, -1, out);
         keaApplyTransposed(c->anchor[k], pose->R, arm);
-        if (c->circle[k] > 0)
+        c->isLine[k] = isLine(c, k);
+        if (c->circle[k] > 0 || c->isLine[k])
             keaApplyTransposed(c->circleAxis[k], pose->R, c->manifold->axis[k]);
         c->isAboutCentre[k] = isAboutCentre(c, k);
     }
-    c->areBalls = isBall(s, c, 0) && isBall(s, c, 1);
+    c->hasCentres = haveCentres(c);
+    lineOfCentres(s, c, NULL, 0, c->line);
 }
 
 /* ---- later sub-steps ---- */
@@ -166,38 +264,23 @@ static int sideToFollow(const KeaContact *c) {
     return isWorld(c, 1) ? 0 : isWorld(c, 0) ? 1 : BOTH;
 }
 
-/* The axis of the circle (world); 0 without a circle. */
-static void circleAxisOf(const MdtKeaSystem *s, const KeaContact *c, int k, double axis[3]) {
-    MdtKeaTransformation memory;
-    if (c->circle[k] > 0)
-        keaApply(axis, poseOf(s, c, k, &memory)->R, c->circleAxis[k]);
-    else
-        keaZero(axis);
-}
-
-/* Two balls touch along the line of their present centres. */
-static void updateBallNormal(const MdtKeaSystem *s, KeaContact *c) {
-    double n[3], d[3];
-    keaSubtract(n, s->pose[c->manifold->body[0]].pos, s->pose[c->manifold->body[1]].pos);
-    keaCopy(d, c->direction);
-    const double distance = keaLength(n);
-    if (!(distance > 0) || !isfinite(distance))
+/* The normal of two surfaces with centres of curvature is the line of these. */
+static void turnNormal(const MdtKeaSystem *s, KeaContact *c) {
+    double line[3], a[3];
+    lineOfCentres(s, c, NULL, 0, line);
+    const double along = turnBetween(c->line, line, a);
+    if (!turnAlong(a, along, c->normal))
         return;
-    keaScale(n, 1 / distance, n);
-    keaAddScaled(d, -keaDot(d, n), n);
-    const double across = keaLength(d);
-    if (!(across > kea_minAcross)) /* the normal is parallel to the old direction: d is rounding */
-        return;
-    keaCopy(c->normal, n);
-    keaScale(c->direction, 1 / across, d);
+    turnAlong(a, along, c->direction);
+    keaCopy(c->line, line);
     MEASSERT(fabs(keaDot(c->direction, c->direction) - 1) < kea_unitRounding);
 }
 
 static void moveWithBodies(const MdtKeaSystem *s, KeaContact *c) {
     const int owner = sideToFollow(c);
     double p[2][3], between[3];
-    if (c->areBalls)
-        updateBallNormal(s, c);
+    if (c->hasCentres)
+        turnNormal(s, c);
     for (int k = 0; k < 2; k++) {
         MdtKeaTransformation memory;
         const MdtKeaTransformation *pose = poseOf(s, c, k, &memory);
@@ -222,43 +305,30 @@ static void moveWithBodies(const MdtKeaSystem *s, KeaContact *c) {
  * It follows from the velocities with which the bodies move during the sub-step, (h v, h w): those of the present
  * iterate in the exact solver's first passes, predicted ones in the fast solver. */
 
-/* r += share (cay(φ) r - r), with cay(φ) r - r = (φ x r + φ x (φ x r) / 2) / (1 + φ²/4), the rotation of bodies. */
-static void turnBy(const double turn[3], double share, double r[3]) {
-    const double halfAngleFactor = share / (1 + keaDot(turn, turn) / 4);
-    double once[3], twice[3];
-    keaCross(once, turn, r);
-    keaCross(twice, turn, once);
-    keaAddScaled(r, halfAngleFactor, once);
-    keaAddScaled(r, 0.5 * halfAngleFactor, twice);
-}
-
-/* Displacement, m, and rotation vector, rad, of a side in this sub-step. */
-static void motionOf(const MdtKeaSystem *s, const KeaContact *c, int k, const double move[6], double displacement[3],
-                     double turn[3]) {
-    const double h = isPlaced(c, k) ? 0 : s->parameters.stepsize;
-    const MdtKeaVelocity *given = isWorld(c, k) ? sideVelocityOf(s, c, k) : NULL;
-    keaScale(displacement, h, given ? given->lin : move);
-    keaScale(turn, h, given ? given->ang : move + 3);
+void kea_contactTurnDirection(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6], double share,
+                              double d[3]) {
+    double line[3], a[3];
+    if (!c->followsCentres) {
+        turnBy(c->faceTurn, share, d);
+        return;
+    }
+    lineOfCentres(s, c, move, share, line);
+    const double along = turnBetween(c->line, line, a);
+    turnAlong(a, along, d);
 }
 
 /* The contact point p of the side that owns it after a share of the sub-step. */
-static void pointOfOwner(const MdtKeaSystem *s, const KeaContact *c, int k, const double move[6], double share,
+static void pointOfOwner(const MdtKeaSystem *s, const KeaContact *c, int k, const double move[2][6], double share,
                          double p[3]) {
-    MdtKeaTransformation memory;
-    const MdtKeaTransformation *pose = poseOf(s, c, k, &memory);
     double displacement[3], turn[3], axis[3], normal[3], out[3];
-    motionOf(s, c, k, move, displacement, turn);
+    motionOf(s, c, k, move[k], displacement, turn);
     circleAxisOf(s, c, k, axis);
     turnBy(turn, share, axis);
     keaCopy(normal, c->normal);
-    turnBy(c->faceTurn, share, normal);
+    kea_contactTurnDirection(s, c, move, share, normal);
     offsetToSurface(c, k, axis, normal, out);
-    keaApply(p, pose->R, c->anchor[k]);
-    turnBy(turn, share, p);
-    keaAddScaled(p, 1, out);
-    keaAddScaled(p, (k == 0 ? 0.5 : -0.5) * c->depth, normal);
-    keaAddScaled(p, 1, pose->pos);
-    keaAddScaled(p, share, displacement);
+    keaAddScaled(out, (k == 0 ? 0.5 : -0.5) * c->depth, normal);
+    movePoint(s, c, k, move[k], share, out, p);
 }
 
 /* Lever arms of a rolling contact: each of two round surfaces has its own point; a flat one uses that of the round
@@ -269,7 +339,7 @@ static void rollArms(const MdtKeaSystem *s, const KeaContact *c, const double mo
         const int owner = isOwner(c, k) ? k : 1 - k;
         MdtKeaTransformation memory;
         double p[3], displacement[3], turn[3];
-        pointOfOwner(s, c, owner, move[owner], share, p);
+        pointOfOwner(s, c, owner, move, share, p);
         motionOf(s, c, k, move[k], displacement, turn);
         keaSubtract(arm[k], p, poseOf(s, c, k, &memory)->pos);
         keaAddScaled(arm[k], -share, displacement);
@@ -376,8 +446,21 @@ static MeBool findFaceTurn(const MdtKeaSystem *s, KeaContact *c) {
     return MEFALSE;
 }
 
-void kea_contactTurnDirection(const KeaContact *c, double share, double d[3]) {
-    turnBy(c->faceTurn, share, d);
+/* Whether the line of centres turns: they move rather across it than along it, which a blow stops, and do not pass each
+ * other. Not with joints, as vertices. */
+static MeBool doCentresTurn(const MdtKeaSystem *s, const KeaContact *c) {
+    double move[2][6], line[3], a[3], way[3];
+    if (!c->hasCentres || kea_isContactTied(s, c))
+        return MEFALSE;
+    for (int k = 0; k < 2; k++) {
+        keaCopy(move[k], sideVelocityOf(s, c, k)->lin);
+        keaCopy(move[k] + 3, sideVelocityOf(s, c, k)->ang);
+    }
+    lineOfCentres(s, c, (const double(*)[6])move, 1, line);
+    const double along = turnBetween(c->line, line, a);
+    keaSubtract(way, line, c->line);
+    const double across = keaLength(a) * keaLength(line);
+    return keaLength(a) > kea_slightTurn && across > fabs(keaDot(way, c->normal)) && along > kea_minFollowed;
 }
 
 void kea_contactChooseMotion(const MdtKeaSystem *s, KeaContact *c) {
@@ -386,7 +469,8 @@ void kea_contactChooseMotion(const MdtKeaSystem *s, KeaContact *c) {
     for (int k = 0; k < 2; k++)
         c->isVertex[k] = c->at->isVertex[k] && areVertices;
     const MeBool turns = findFaceTurn(s, c);
-    c->rolls = hasOwner(c) && (!isArmConstant(s, c, 0) || !isArmConstant(s, c, 1));
+    c->followsCentres = doCentresTurn(s, c);
+    c->rolls = c->followsCentres || (hasOwner(c) && (!isArmConstant(s, c, 0) || !isArmConstant(s, c, 1)));
     c->moves = c->rolls || (!hasOwner(c) && findSharedTurn(s, c)) || turns;
 }
 
@@ -421,8 +505,8 @@ double kea_contactBend(const MdtKeaSystem *s, const KeaContact *c, const double 
         if (!isOwner(c, k))
             continue;
         motionOf(s, c, k, move[k], displacement, turn);
-        pointOfOwner(s, c, k, move[k], 0, start);
-        pointOfOwner(s, c, k, move[k], 1, end);
+        pointOfOwner(s, c, k, move, 0, start);
+        pointOfOwner(s, c, k, move, 1, end);
         keaSubtract(end, end, start);
         keaAddScaled(end, -1, displacement);
         keaSubtract(start, start, poseOf(s, c, k, &memory)->pos);

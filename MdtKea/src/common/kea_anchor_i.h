@@ -11,17 +11,20 @@ typedef struct KeaContact {
     /* kea_anchor.c, at the start of the step */
     double anchor[2][3];     /* m, body frames: the surface point of each body, or the centre of its sphere or circle */
     double circle[2];        /* m, radius of the circle (the manifold's rim); 0: none, or it may become flat */
-    double circleAxis[2][3]; /* unit, body frames: axis of the circle */
+    double circleAxis[2][3]; /* unit, body frames: axis of the circle or line */
+    MeBool isLine[2];        /* the surface is round about a line at right angles to the normal */
     MeBool isVertex[2];      /* a vertex of the body touches, and the bodies rotate relative to each other */
     MeBool isAboutCentre[2]; /* the surface is spherical about its body's centre of mass */
-    MeBool areBalls;         /* both bodies are balls about their centres of mass */
+    MeBool hasCentres;       /* the normal is the line of both surfaces' centres of curvature */
     /* kea_anchor.c, at the start of the sub-step */
-    double normal[3], direction[3]; /* the manifold's; for two balls the normal follows their centres */
+    double normal[3], direction[3]; /* the manifold's; they turn with the line of centres */
+    double line[3];                 /* m, of the centres, if there are any */
     double point[3];                /* m; for two round surfaces the middle of both surface points */
     double depth;                   /* m */
     double arm[2][3];               /* m, from the bodies' centres to the point */
     double turn[3];                 /* rad, rotation vector of a contact of flat surfaces in this sub-step; else 0 */
     double faceTurn[3];             /* rad, of a mover on whose face the contact lies: normal and directions turn */
+    MeBool followsCentres;          /* of two round surfaces: normal and directions turn with the line of centres */
     MeBool moves;                   /* lever arms or directions change within this sub-step, */
     MeBool rolls;                   /* since the point moves with a round side, a rim or a vertex */
     /* kea_contact.c */
@@ -45,8 +48,10 @@ void kea_contactChooseMotion(const MdtKeaSystem *s, KeaContact *c);
  * which the bodies move during the sub-step, not read for the world. Needs c->moves. */
 void kea_contactArms(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6], double share,
                      double arm[2][3]);
-/* Turns a direction of the contact's, d, with the face on which it lies, for the same shares. */
-void kea_contactTurnDirection(const KeaContact *c, double share, double d[3]);
+/* Turns a direction of the contact's, d, with the face on which it lies, or with the line of the centres of two round
+ * surfaces, for the same shares. */
+void kea_contactTurnDirection(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6], double share,
+                              double d[3]);
 /* m: by how much the gap grows in the sub-step beyond h times the rate of `move` with the mean lever arms: the path of
  * the point of a rim is curved. */
 double kea_contactBend(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6]);

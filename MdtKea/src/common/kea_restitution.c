@@ -16,7 +16,7 @@
  * is 0, and with it the work of the impulse. One that does not come down in the step is free: its bound is the rate
  * with which it would touch at the end. With e < 1 hops soon end, and what hops is stopped.
  */
-#include "kea_i.h"
+#include "common/kea_anchor_i.h"
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
 
@@ -46,7 +46,7 @@ static void velocityAt(const MdtKeaVelocity *side, const double arm[3], double v
 
 /* The rate is n·(v - f), with v of the other side, and f = c + w x r of the face at the same point. n turns with w, and
  * r changes by v - c: the acceleration is (w x n)·(v - f) - n·(w x (v - c)). */
-double kea_turningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]) {
+static double faceTurningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]) {
     const int k = m->body[0] < 0 ? 0 : 1;
     const MdtKeaVelocity *face = m->worldVelocity;
     double turn[3], v[3], f[3], slip[3], change[3];
@@ -61,6 +61,41 @@ double kea_turningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const dou
     keaAddScaled(v, -1, face->lin);
     keaCross(change, face->ang, v);
     return (k == 1 ? 1 : -1) * s->parameters.stepsize * (keaDot(turn, slip) - keaDot(m->normal, change));
+}
+
+/* m: the radius of curvature of a side; negative: none, or of a rim that is not at right angles to the normal. */
+static double radiusOfSide(const MdtKeaSystem *s, const MdtKeaManifold *m, int k) {
+    const MeBool isAcross = fabs(keaDot(m->axis[k], m->normal)) < kea_acrossLine;
+    if (m->body[k] >= 0 && s->work->body[m->body[k]].isTied)
+        return -1;
+    if (m->rim[k] > 0)
+        return isAcross ? m->rim[k] : -1;
+    return m->radius[k] > 0 || (isAcross && keaDot(m->axis[k], m->axis[k]) > 0) ? m->radius[k] : -1;
+}
+
+/* The centres of two round surfaces, at the distance L, move across the normal, and across a line about which one is
+ * round, with u: the normal turns by u / L, and the rate grows by u² / L. */
+static double centresTurningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]) {
+    double u[3] = {0, 0, 0}, distance = 0;
+    for (int k = 0; k < 2; k++) {
+        const double radius = radiusOfSide(s, m, k);
+        double centre[3], v[3];
+        if (radius < 0)
+            return 0;
+        distance += radius;
+        keaCopy(centre, arm[k]);
+        keaAddScaled(centre, (k == 0 ? 1 : -1) * radius, m->normal);
+        velocityAt(kea_sideVelocity(s, m, k), centre, v);
+        keaAddScaled(u, k == 0 ? 1 : -1, v);
+    }
+    keaAddScaled(u, -keaDot(u, m->normal), m->normal);
+    for (int k = 0; k < 2; k++)
+        keaAddScaled(u, -keaDot(u, m->axis[k]), m->axis[k]);
+    return distance > 0 ? s->parameters.stepsize * keaDot(u, u) / distance : 0;
+}
+
+double kea_turningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]) {
+    return faceTurningRate(s, m, arm) + centresTurningRate(s, m, arm);
 }
 
 static void addTurning(double turning, KeaApproach *a) {

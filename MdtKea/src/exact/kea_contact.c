@@ -233,7 +233,7 @@ static void setMovedJacobians(MdtKeaSystem *s, const KeaContact *c, const double
             MdtKeaMove *moved = &s->moves[r][k];
             double direction[3];
             keaCopy(direction, s->rows[r].J[0].lin);
-            kea_contactTurnDirection(c, share[k], direction);
+            kea_contactTurnDirection(s, c, move, share[k], direction);
             contactJacobian((const double(*)[3])arm, direction, moved->J);
             moved->rate = worldRate(c, moved->J) - worldRate(c, s->rows[r].J);
         }

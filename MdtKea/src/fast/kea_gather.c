@@ -274,18 +274,19 @@ static void predictMotions(const MdtKeaSystem *s, const MdtKeaManifold *m, SideM
     }
 }
 
-/* Turns the axes of a manifold with the face on which it lies. v: the relative velocity at the end. */
-static void turnAxes(const KeaContact *c, const double v[3], KeaPatch *p) {
+/* Turns the axes of a manifold. v: the relative velocity at the end. */
+static void turnAxes(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6], const double v[3],
+                     KeaPatch *p) {
     double start[3][3];
     keaCopy(start[0], c->manifold->direction);
     keaCross(start[1], c->manifold->normal, c->manifold->direction);
     keaCopy(start[2], c->manifold->normal);
-    for (int i = 0; i < 3 && keaDot(c->faceTurn, c->faceTurn) > 0; i++) {
+    for (int i = 0; i < 3 && (c->followsCentres || keaDot(c->faceTurn, c->faceTurn) > 0); i++) {
         double end[3];
         keaCopy(end, start[i]);
         keaCopy(p->axis[i], start[i]);
-        kea_contactTurnDirection(c, 1, end);
-        kea_contactTurnDirection(c, 0.5, p->axis[i]);
+        kea_contactTurnDirection(s, c, move, 1, end);
+        kea_contactTurnDirection(s, c, move, 0.5, p->axis[i]);
         keaScale(p->axis[i], 1 / keaLength(p->axis[i]), p->axis[i]);
         p->turned[i] = keaDot(end, v) - keaDot(p->axis[i], v);
     }
@@ -307,7 +308,7 @@ static void moveArms(const MdtKeaSystem *s, KeaContact *c, const SideMotions *si
         keaCross(rate, sides->spin[k], remainder);
         keaAddScaled(p->added, k == 0 ? 1 : -1, rate);
     }
-    turnAxes(c, v, p);
+    turnAxes(s, c, sides->mean, v, p);
 }
 
 /* The contact at the centre of a manifold. False: its lever arms do not change in the step. */

@@ -121,8 +121,7 @@ static void convertContact(MdtFoundContact *found, const McdContact *from, MeBoo
         found->radius[side] = (MeReal)exact.radius[k];
         found->rim[side] = exact.rim[k];
         found->isVertex[side] = exact.isVertex[k];
-        if (exact.rim[k] > 0)
-            memcpy(found->axis[side], exact.axis[k], sizeof exact.axis[k]);
+        memcpy(found->axis[side], exact.axis[k], sizeof exact.axis[k]);
     }
     found->depth = -exact.separation;
     found->feature = from->feature;
