@@ -79,7 +79,6 @@ typedef struct SeamFace {
     const McdSeam *seam;
     double normal[3];
     double point[3]; /* of the face's plane, at the contact; mcd_seamGapShift: of the body */
-    double size;     /* m, the extent of the body; for mcd_seamGapShift alone */
 } SeamFace;
 
 /* Whether a direction equals the contact's normal to within rounding. */
@@ -195,6 +194,17 @@ void *mcd_seamPieceBeyond(const McdSeam *s, double normal[3]) {
 
 /* ---- gaps -------------------------------------------------------------------------------------------------------- */
 
+/* m: how far the body's point may be from a face that it is above. Where the surface folds, by the rounding of places;
+ * and the point of a body that overlaps the edge is aside of the face. Where it is flat, a point above neither piece
+ * has no contact but that of the shift. */
+static double slackOver(const SeamFace *f, const double face[3]) {
+    double fold[3], across[3];
+    mcd_cross(fold, f->normal, face);
+    mcd_cross(across, f->seam->normal, face);
+    return mcd_length(fold) > mcd_minSine ? .05 * f->seam->skin + fmax(-f->seam->separation, 0) * mcd_length(across)
+                                          : mcd_faceBias / 2 * f->seam->body->extent;
+}
+
 /* Whether the body's point is above a face of this other piece. */
 static MeBool isBelowBody(const McdShape *piece, const double *side, const void *context) {
     const SeamFace *f = context;
@@ -204,7 +214,7 @@ static MeBool isBelowBody(const McdShape *piece, const double *side, const void 
         return MEFALSE;
     const double height = mcd_heightOver(f->point, face.point[0], face.normal);
     mcd_mad(foot, f->point, -height, face.normal);
-    return mcd_pointDistance(piece, foot) <= mcd_faceBias / 2 * fmin(piece->extent, f->size);
+    return mcd_pointDistance(piece, foot) <= slackOver(f, face.normal);
 }
 
 /* The point of the body's lowest face, a point or a line, that is nearest to the contact; false: the face is flat, and
@@ -223,7 +233,7 @@ static MeBool lowestPoint(const McdSeam *s, const McdShape *body, const double f
 }
 
 MeBool mcd_seamGapShift(const McdSeam *s, const McdShape *body, const double face[3], double shift[3]) {
-    SeamFace f = {.seam = s, .size = body->extent};
+    SeamFace f = {.seam = s};
     double lowest[3];
     mcd_copy(f.normal, face);
     bodyPoint(s, f.point);
