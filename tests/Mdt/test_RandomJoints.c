@@ -15,7 +15,7 @@ enum { SYSTEMS = 20 };
 #endif
 enum { BODIES = 30, JOINTS = 150, STEPS = 4 };
 
-enum { BUDGET = 40 }; /* millions of multiplications */
+enum { BUDGET = 30 }; /* millions of multiplications */
 
 static int running; /* the number of the one that runs */
 static MdtWorldID world;

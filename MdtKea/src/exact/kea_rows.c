@@ -398,15 +398,23 @@ static void springRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     p->N = 0;
 }
 
+/* N of a position row, relative to A_ii: smaller for a stop that acts, once passes converge slowly. */
+static double proximalOf(const MdtKeaSystem *s, const MdtKeaRow *row, const KeaProblemRow *p) {
+    const MeBool mayContradict = s->work->hasLoops && !s->work->problem.hasTangent;
+    if (!kea_mayReachBound(row) && !mayContradict)
+        return kea_proximalJoint;
+    const MeBool acts = p->p > p->lower && p->p < p->upper;
+    return acts && !mayContradict && s->work->problem.counts.slow > 0 ? kea_proximalStop : kea_proximalLimit;
+}
+
 static void positionRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
     const double h = s->parameters.stepsize;
     p->E = row->softness;
     p->r = row->target + row->carried - (s->work->endErrors[i] - row->error) / h;
-    const MeBool mayContradict = s->work->hasLoops && !s->work->problem.hasTangent;
     /* without lever arms: else joints that share a load would not share it evenly */
     const double invEffectiveMass = p->AiiLinear > 0 ? p->AiiLinear : p->Aii;
-    p->N = (kea_mayReachBound(row) || mayContradict ? kea_proximalLimit : kea_proximalJoint) * invEffectiveMass;
+    p->N = proximalOf(s, row, p) * invEffectiveMass;
 }
 
 /* Target of a contact in a timed step, in which kea_project removes overlaps, not a velocity. A soft contact uses the

@@ -242,6 +242,7 @@ static void measurePass(MdtKeaSystem *s, Passes *p) {
     p->speed = keaMax(p->speed, kea_rowSpeedScale(s));
     p->e = residualsOfPass(s, p->speed);
     p->movesContacts = p->movesContacts && p->e.worst < p->before;
+    s->work->problem.counts.slow += p->e.worst > 0.5 * p->before;
     if (p->e.worst < 0.5 * p->mark) {
         p->mark = p->e.worst;
         p->marked = p->pass;

@@ -75,6 +75,7 @@ typedef struct KeaCounts {
     int freezes;      /* passes with frozen friction bounds */
     int stuck;        /* 1: friction bounds have not converged in the last pass, or were frozen */
     int level;        /* index of N in kea_proximalContact */
+    int slow;         /* passes that have left more than half of the residual */
     double work;      /* multiplications */
     MeBool isLimited; /* the budget is used up: from now on, solves are by sweeps */
 } KeaCounts;
