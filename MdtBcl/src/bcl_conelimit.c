@@ -31,17 +31,6 @@ static double measureAngle(const MdtBclConstraint *c, const MdtKeaTransformation
     return atan2(keaLength(across), keaDot(a0, a1));
 }
 
-/* The row's bend (MdtKeaRow): m turns by cot θ of what the axes move at right angles to m, relative to each other. The
- * Hessian of θ has also -2 tan(θ/2) times the product of both movements, which is left out: it is not positive. */
-static void setBend(const MdtBclConstraint *c, const MdtBclContext *x, double angle, MdtKeaRow *row) {
-    for (int k = 0; k < 2; k++) {
-        double a[3];
-        keaApply(a, x->pose[k]->R, c->frame[k].primary);
-        keaCross(row->bend[k], row->J[k].ang, a);
-    }
-    row->curvature = fmax(1 / tan(angle), 0);
-}
-
 /* The row of the angle θ. */
 static void angleRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow *row) {
     double across[3];
@@ -53,8 +42,8 @@ static void angleRow(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRo
         keaCopy(row->J[1].ang, c->of.cone.normal);
     MEASSERT(!isfinite(sine) || bcl_isUnit(row->J[1].ang)); /* a pose beyond the numbers: NaN */
     keaScale(row->J[0].ang, -1, row->J[1].ang);
-    if (sine > BCL_PARALLEL)
-        setBend(c, x, angle, row);
+    if (sine > BCL_PARALLEL) /* of the Hessian of θ, which also has -2 tan(θ/2) times the product of both movements */
+        bcl_bendRow(c, x, fmax(1 / tan(angle), 0), row);
 }
 
 static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {

@@ -20,6 +20,10 @@ void bcl_resetFrames(MdtBclConstraint *c);
 /* Initializes a row between the constraint's bodies: two-sided, with softness ε, Jacobian and target 0. */
 void bcl_startRow(MdtKeaRow *row, const MdtBclContext *x);
 
+/* Sets the bend of a row of the swing (MdtKeaRow): its direction turns by `curvature` of what the primary axes move at
+ * right angles to it, relative to each other. */
+void bcl_bendRow(const MdtBclConstraint *c, const MdtBclContext *x, double curvature, MdtKeaRow *row);
+
 /* Makes a row a position row, which constrains φ at the end of the step: its target s = -γ φ / h removes the fraction γ
  * of the error φ (Baumgarte). */
 void bcl_makePosition(MdtKeaRow *row, const MdtBclContext *x, double error);

@@ -51,6 +51,15 @@ void bcl_startRow(MdtKeaRow *row, const MdtBclContext *x) {
     row->normal = row->partner = row->contact = -1;
 }
 
+void bcl_bendRow(const MdtBclConstraint *c, const MdtBclContext *x, double curvature, MdtKeaRow *row) {
+    for (int k = 0; k < 2; k++) {
+        double a[3];
+        keaApply(a, x->pose[k]->R, c->frame[k].primary);
+        keaCross(row->bend[k], row->J[k].ang, a);
+    }
+    row->curvature = curvature;
+}
+
 void bcl_makePosition(MdtKeaRow *row, const MdtBclContext *x, double error) {
     MEASSERT(x->parameters.gamma >= 0 && x->parameters.gamma <= 1);
     row->error = error;

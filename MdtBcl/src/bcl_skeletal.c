@@ -6,7 +6,8 @@
  * swing has the coordinates σ = θ t: the primary limit α is that along y, the secondary limit β that along z.
  *   cone:  f = |(σ_y/α, σ_z/β)| <= 1, one row, scaled to radians by the gradient of f.
  *          From da/dt = ω x a (axes of frame 1):  dθ/dt = cos θ t·a' - sin θ a'_x,   θ dt/dt = (θ/sin θ) (a' across t).
- *          A hard limit is a position row, which constrains f at the end of the step.
+ *          A hard limit is a position row, which constrains f at the end of the step. Its direction turns along the rim
+ *          by the curvature τ·(∇∇f) τ / |∇f| of the ellipse, τ its tangent, times θ cot θ on the sphere: cot θ for α = β.
  *   twist: τ = 2 atan2(D_x, D_w), with D as a quaternion (w, v):
  *          dτ/dt = (w (w ω_x + ω_y v_z - ω_z v_y) + v_x v·ω) / (w² + v_x²).
  *   motor: three rows of D, at the end (bcl_servo.c).
@@ -39,6 +40,7 @@ typedef struct {
     double sigma[2], f, tau;       /* swing, rad; f of the cone; twist, rad */
     double cone[3], swing[2][3];   /* derivatives of the cone's coordinate and of σ */
     double twist[3], scale;        /* derivative of τ; |∇f| */
+    double curvature;              /* of the cone's rim: rad that its row turns for a rad along it */
     MeBool isParallel, isOpposite; /* a points along x, or against it */
 } Coordinates;
 
@@ -57,6 +59,12 @@ static void twistRow(const double D[4], double row[3]) {
     row[0] = (w * w + v[0] * v[0]) / size;
     row[1] = (w * v[2] + v[0] * v[1]) / size;
     row[2] = (-w * v[1] + v[0] * v[2]) / size;
+}
+
+/* The curvature of the rim where `along` is its normal; theta cot theta: `bow`. */
+static double rimCurvature(const Coordinates *p, double alpha, double beta, const double along[2], double bow) {
+    const double u[2] = {along[1] / alpha, along[0] / beta};
+    return p->f > 0 ? fmax((u[0] * u[0] + u[1] * u[1]) / (p->f * p->scale) * bow, 0) : 0;
 }
 
 static void measureCoordinates(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], Coordinates *p) {
@@ -84,6 +92,7 @@ static void measureCoordinates(const MdtBclConstraint *c, const MdtKeaTransforma
     MEASSERT(isnan(theta) || (p->scale > 0 && isfinite(p->scale) && p->f >= 0)); /* NaN: a pose has overflowed */
     const double along[2] = {gradient[0] / p->scale, gradient[1] / p->scale};
     swingRow(a, t, theta, along, p->cone);
+    p->curvature = rimCurvature(p, alpha, beta, along, sine > BCL_PARALLEL ? theta * a[0] / sine : 0);
 }
 
 /* A row of the relative angular velocity ω_0 - ω_1, with the coefficients `local` in the axes of frame 1. */
@@ -124,6 +133,7 @@ static double coneCoordinate(const MdtBclSkeletal *s, const Coordinates *p) {
 static void coneRow(const MdtBclConstraint *c, const MdtBclContext *x, const Coordinates *p, MdtKeaRow *row) {
     if (c->of.skeletal.coneOption != MdtSkeletalConeOptionSlot) {
         turnRow(c, x, p->cone, row);
+        bcl_bendRow(c, x, p->curvature, row);
         return;
     }
     turnRow(c, x, p->swing[0], row);
@@ -223,7 +233,7 @@ void MEAPI MdtBclSkeletalZeroTwist(MdtBclConstraint *c, const MdtKeaTransformati
 }
 
 const MdtBclType bcl_skeletal = {.name = "Skeletal",
-                                 .maxRows = MdtBclGETMAXROWSSKELETAL + 3, /* and a position motor */
+                                 .maxRows = MdtBclGETMAXROWSSKELETAL + 4, /* a position motor, and the cone's bend */
                                  .reset = reset,
                                  .prepare = prepare,
                                  .fill = fill,
