@@ -57,6 +57,7 @@ typedef struct MdtIsland {
     /* subdivide */
     MdtBclSolverParameters parameters; /* parameters of the present part */
     double elapsed;                    /* s, of the step before the present part */
+    MeBool isHalved;                   /* passes of a longer part have not converged */
     double work;                       /* multiplications left for the step; MDT_NO_BOUND: unlimited */
     int iterations;                    /* iterations of Newton's method left for the step; 0: unlimited */
     double exactWork, fastWork;        /* multiplications: cost so far of either solver */

@@ -202,13 +202,17 @@ static AfterSolve chooseAfterSolve(const MdtIsland *p, int halvings) {
     return maySwitch && (haveJointsOpened || isUnsupported || mdt_isCrushed(p)) ? SWITCH_TO_FAST : INTEGRATE;
 }
 
+/* What only turns too far is no warm start (isHalved): each part is to be solved to its own tolerance. */
 static void advanceHalves(MdtIsland *p, double substep, int halvings) {
     mdt_reportPath(p->report, MdtReportWayDivided);
     const double reserve = reserveWork(p, 0.5);
+    const MeBool wasHalved = p->isHalved;
+    p->isHalved = wasHalved || !p->kea.report.refused;
     mdt_substepAdvance(p, 0.5 * substep, halvings + 1);
     p->work += reserve;
     if (!p->isStopped)
         mdt_substepAdvance(p, 0.5 * substep, halvings + 1);
+    p->isHalved = wasHalved;
 }
 
 void mdt_substepAdvanceRows(MdtIsland *p, double substep, int halvings) {

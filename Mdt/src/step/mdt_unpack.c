@@ -74,7 +74,8 @@ static void unpackJoint(const MdtIsland *p, MdtJoint *j, MeBool isGuess) {
 }
 
 void mdt_unpackConstraints(const MdtIsland *p) {
-    const MeBool isGuess = p->parameters.stepsize > 0.1 * p->h; /* forces of very short parts are no warm start */
+    /* forces of very short parts are no warm start of a long one */
+    const MeBool isGuess = p->isHalved || p->parameters.stepsize > 0.1 * p->h;
     addForces(p, mdt_substepTime(p) / p->h);
     MdtJoint *j;
     for (int i = 0; (j = mdt_nextJoint(p, &i));)
