@@ -326,6 +326,9 @@ typedef struct MdtBclType {
     void (*fill)(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]);
     /** Writes the errors of the position rows with the bodies at these poses. Null for types without position rows. */
     void (*errors)(const MdtBclConstraint *c, const MdtKeaTransformation *const pose[2], double errors[]);
+    /** With the bodies at these poses at the end of a solved sub-step: returns the number of stops without a row that
+     *  they pass, which `prepare` gives one from now on. Null for types without limits of angles. */
+    int (*passed)(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]);
     /** Stores what programs may query after the step; x has the poses and velocities at its end. May be null. */
     void (*readBack)(MdtBclConstraint *c, const MdtBclContext *x, const MdtKeaRow rows[]);
     /** Called after bodies were attached, after an attachment point was moved, and after the axes of both sides were

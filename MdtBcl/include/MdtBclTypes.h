@@ -80,6 +80,7 @@ typedef struct MdtBclLimit {
     MeBool isMeasured;   /**< `measured` is valid: full turns are counted from it */
     int rows;            /**< which rows are in this step's system: 1 motor, 2 lower stop, 4 upper stop, 8 lock */
     double stopForce[2]; /**< N, of the stops in the last step, >= 0 */
+    int watched[2];      /**< sub-steps for which a stop that was passed without a row has one in any case */
 } MdtBclLimit;
 
 typedef enum MdtContactType {

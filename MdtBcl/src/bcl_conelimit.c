@@ -77,6 +77,12 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
         bcl_limitErrors(&c->of.cone.limit, measureAngle(c, pose, across), e);
 }
 
+static int passed(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
+    MdtBclLimit *limit = &c->of.cone.limit;
+    double across[3];
+    return limit->limit[1].stop < ME_PI ? bcl_limitPassed(limit, measureAngle(c, pose, across)) : 0;
+}
+
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     MdtKeaRow row;
     angleRow(c, x, &row);
@@ -98,5 +104,6 @@ const MdtBclType bcl_coneLimit = {.name = "ConeLimit",
                                   .prepare = prepare,
                                   .fill = fill,
                                   .errors = errors,
+                                  .passed = passed,
                                   .readBack = readBack,
                                   .degenerate = "its axes are parallel, which leaves it no plane to push in"};

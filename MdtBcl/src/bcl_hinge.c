@@ -51,6 +51,10 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
         bcl_limitErrors(&c->of.limit, measureAngle(c, pose, 0), e + 5);
 }
 
+static int passed(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
+    return c->of.limit.bActive ? bcl_limitPassed(&c->of.limit, measureAngle(c, pose, 0)) : 0;
+}
+
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     MdtKeaRow angle;
     bcl_pointRows(c, x, rows);
@@ -77,4 +81,5 @@ const MdtBclType bcl_hinge = {.name = "Hinge",
                               .prepare = prepare,
                               .fill = fill,
                               .errors = errors,
+                              .passed = passed,
                               .readBack = readBack};

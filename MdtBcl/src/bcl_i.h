@@ -150,6 +150,9 @@ int bcl_limitRows(const MdtBclLimit *limit);
 /* Drops the rows of the stops and, unless keepsMotor, that of motor or lock. Returns the number of rows that remain. */
 int bcl_limitKeepMotor(MdtBclLimit *limit, MeBool keepsMotor);
 
+/* The number of hard stops without a row that the angle passes by more than a milliradian; they get rows from now on. */
+int bcl_limitPassed(MdtBclLimit *limit, double measured);
+
 /* Writes the errors of the limit's rows at a value of the coordinate (without offset). Returns the number of rows. */
 int bcl_limitErrors(const MdtBclLimit *limit, double measured, double errors[]);
 

@@ -107,15 +107,15 @@ static MeBool isAngle(const MdtKeaRow *coordinate) {
 }
 
 /* Whether a stop gets a row in this step: if twice the predicted displacement would pass it, which allows for other
- * constraints; if it limits an angle, which an impact could turn that far (impactSpin); or if it carried a force in the
- * last step, so that a load at rest on it does not rattle. */
+ * constraints; if it limits an angle, which an impact could turn that far (impactSpin); if it carried a force in the
+ * last step, so that a load at rest on it does not rattle; or if it was passed (bcl_limitPassed). */
 static MeBool isWithinReach(const MdtBclLimit *limit, const MdtBclContext *x, int side, double rate, double predicted,
                             double impactSpin) {
     const MdtBclSingleLimit *stop = &limit->limit[side];
     const double z = distanceToStop(limit, side), h = x->parameters.stepsize;
     if (!bcl_isStopHard(limit, side) && !(stop->stiffness > 0))
         return z < 0 && stop->damping > 0;
-    return z <= 0 || limit->stopForce[side] > 0 || z < h * impactSpin ||
+    return z <= 0 || limit->stopForce[side] > 0 || limit->watched[side] > 0 || z < h * impactSpin ||
            z + 2 * h * minRate(limit, x, side, rate, predicted) < 0;
 }
 
@@ -223,6 +223,21 @@ void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKe
     MEVALIDATE(bcl_areRows(first, bcl_limitRows(limit)));
 }
 
+/* The error of a stop that is passed would be closed at the speed gamma z / h, which heavy bodies would keep. */
+int bcl_limitPassed(MdtBclLimit *limit, double measured) {
+    enum { SUBSTEPS = 8 };                /* links whip to and fro */
+    static const double tolerance = 1e-3; /* rad, closed at .01 rad/s */
+    int count = 0;
+    for (int side = 0; side < 2 && limit->bActive; side++) {
+        if (limit->rows & (side == 0 ? LOWER : UPPER) || !bcl_isStopHard(limit, side) ||
+            !(distanceToStopAt(limit, side, measured) < -tolerance))
+            continue;
+        limit->watched[side] = SUBSTEPS;
+        count++;
+    }
+    return count;
+}
+
 int bcl_limitErrors(const MdtBclLimit *limit, double measured, double errors[]) {
     int n = 0;
     if (limit->rows & LOCK)
@@ -248,4 +263,6 @@ void bcl_limitReadBack(MdtBclLimit *limit, double measured, double rate, const M
     limit->stopForce[0] = limit->rows & LOWER ? (rows++)->force : 0;
     limit->stopForce[1] = limit->rows & UPPER ? rows->force : 0;
     MEASSERT(limit->stopForce[0] >= 0 && limit->stopForce[1] >= 0); /* stops only push */
+    for (int side = 0; side < 2; side++)
+        limit->watched[side] -= limit->watched[side] > 0;
 }

@@ -182,6 +182,15 @@ static void errors(const MdtBclConstraint *c, const MdtKeaTransformation *const 
     bcl_limitErrors(&s->turn, p.tau, e + n);
 }
 
+static int passed(MdtBclConstraint *c, const MdtKeaTransformation *const pose[2]) {
+    MdtBclSkeletal *s = &c->of.skeletal;
+    const MeBool hasTwist = s->twistOption == MdtSkeletalTwistOptionLimited && s->twist < ME_PI;
+    Coordinates p;
+    measureCoordinates(c, pose, &p);
+    const int count = hasCone(s) ? bcl_limitPassed(&s->cone, coneCoordinate(s, &p)) : 0;
+    return hasTwist ? count + bcl_limitPassed(&s->turn, p.tau) : count;
+}
+
 static void fill(const MdtBclConstraint *c, const MdtBclContext *x, MdtKeaRow rows[]) {
     const MdtBclSkeletal *s = &c->of.skeletal;
     MdtKeaRow row;
@@ -238,5 +247,6 @@ const MdtBclType bcl_skeletal = {.name = "Skeletal",
                                  .prepare = prepare,
                                  .fill = fill,
                                  .errors = errors,
+                                 .passed = passed,
                                  .readBack = readBack,
                                  .degenerate = "its swing has no direction"};

@@ -401,6 +401,9 @@ MEPUBLIC void MEAPI MdtKeaMakeContactRows(MdtKeaSystem *system);
  */
 MEPUBLIC void MEAPI MdtKeaSolve(MdtKeaSystem *system);
 
+/** The poses by body at the end of the step that MdtKeaSolve has found. */
+MEPUBLIC const MdtKeaTransformation *MEAPI MdtKeaEndPoses(const MdtKeaSystem *system);
+
 /**
  * Sets the bodies to their end states found by MdtKeaSolve or MdtKeaFly. Returns false, and changes no body, if a state
  * is not finite in MeReal or the force of a point is not finite; else true.

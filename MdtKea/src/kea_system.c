@@ -181,6 +181,10 @@ static MeBool areForcesFinite(const MdtKeaSystem *s) {
     return METRUE;
 }
 
+const MdtKeaTransformation *MEAPI MdtKeaEndPoses(const MdtKeaSystem *s) {
+    return s->work->endPose;
+}
+
 MeBool MEAPI MdtKeaIntegrate(MdtKeaSystem *s) {
     if (!areForcesFinite(s))
         return MEFALSE;

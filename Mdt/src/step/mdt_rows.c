@@ -279,3 +279,17 @@ void MEAPI mdt_rowsErrors(void *island, const MdtKeaTransformation poses[], doub
         j->type->errors(&j->bcl, pose, errors + j->firstRow);
     }
 }
+
+int mdt_rowsPassed(const MdtIsland *p) {
+    int count = 0;
+    MdtJoint *j;
+    for (int i = 0; (j = mdt_nextJoint(p, &i));) {
+        const MdtKeaTransformation *pose[MdtBclMAXSIDES];
+        MdtKeaTransformation memory[MdtBclMAXSIDES];
+        if (!j->type->passed)
+            continue;
+        mdt_jointPoses(p, j, 1, MdtKeaEndPoses(&p->kea), pose, memory);
+        count += j->type->passed(&j->bcl, pose);
+    }
+    return count;
+}

@@ -104,6 +104,8 @@ void mdt_rowsMake(MdtIsland *p);
 /* Callbacks of Kea for other poses of the bodies: the joints' rows, and their errors. The context is the island. */
 void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation poses[]);
 void MEAPI mdt_rowsErrors(void *island, const MdtKeaTransformation poses[], double errors[]);
+/* The number of stops without a row that the solved part passes; they get rows from now on. */
+int mdt_rowsPassed(const MdtIsland *p);
 /* The poses of a joint's sides after a share of the part: of their bodies in `poses`, or the world's. A mover's is
  * written to `memory`; share 1/2: the mean of start and end. Both have MdtBclMAXSIDES entries. */
 void mdt_jointPoses(const MdtIsland *p, const MdtJoint *j, double share, const MdtKeaTransformation poses[],

@@ -215,10 +215,22 @@ static void advanceHalves(MdtIsland *p, double substep, int halvings) {
     p->isHalved = wasHalved;
 }
 
+/* Solves the rows, and again with those of stops that the answer passes. */
+static void solveWithStops(MdtIsland *p, double substep) {
+    enum { MAX_SOLVES = 4 };
+    const MdtKeaReport *r = &p->kea.report;
+    mdt_substepSolveRows(p);
+    for (int i = 1; i < MAX_SOLVES && p->numJoints > 0 && !p->isFast; i++) {
+        if (r->violent || r->limited || r->declined || mdt_rowsPassed(p) == 0)
+            return;
+        mdt_substepSolve(p, substep);
+    }
+}
+
 void mdt_substepAdvanceRows(MdtIsland *p, double substep, int halvings) {
     MEASSERT(halvings >= 0 && halvings <= MAX_HALVINGS);
     p->kea.parameters.mayRefuse = halvings < MAX_HALVINGS;
-    mdt_substepSolveRows(p);
+    solveWithStops(p, substep);
     switch (chooseAfterSolve(p, halvings)) {
     case INTEGRATE:
         mdt_substepIntegrate(p);
