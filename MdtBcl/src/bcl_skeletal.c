@@ -161,7 +161,8 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
         count += bcl_limitPrepare(&s->turn, x, &row, p.tau);
     }
     count += bcl_turnServoPrepare(c, &s->servo, x);
-    c->isDegenerate = p.isOpposite || (p.isParallel && s->cone.rows && s->coneOption == MdtSkeletalConeOptionCone);
+    const MeBool hasNoPlane = p.isParallel && s->cone.rows && s->coneOption == MdtSkeletalConeOptionCone;
+    c->isDegenerate = p.isOpposite || (hasNoPlane && s->cone.watched[1] == 0);
     MEASSERT(count <= bcl_skeletal.maxRows);
     return count;
 }
