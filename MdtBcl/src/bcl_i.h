@@ -150,7 +150,7 @@ int bcl_limitRows(const MdtBclLimit *limit);
 /* Drops the rows of the stops and, unless keepsMotor, that of motor or lock. Returns the number of rows that remain. */
 int bcl_limitKeepMotor(MdtBclLimit *limit, MeBool keepsMotor);
 
-/* The number of hard stops without a row that the angle passes by more than a milliradian; they get rows from now on. */
+/* The number of hard stops without a row that the angle passes by more than a milliradian; they get rows now. */
 int bcl_limitPassed(MdtBclLimit *limit, double measured);
 
 /* Writes the errors of the limit's rows at a value of the coordinate (without offset). Returns the number of rows. */

@@ -7,7 +7,7 @@
  *   cone:  f = |(σ_y/α, σ_z/β)| <= 1, one row, scaled to radians by the gradient of f.
  *          From da/dt = ω x a (axes of frame 1):  dθ/dt = cos θ t·a' - sin θ a'_x,   θ dt/dt = (θ/sin θ) (a' across t).
  *          A hard limit is a position row, which constrains f at the end of the step. Its direction turns along the rim
- *          by the curvature τ·(∇∇f) τ / |∇f| of the ellipse, τ its tangent, times θ cot θ on the sphere: cot θ for α = β.
+ *          by the curvature t·(∇∇f) t / |∇f| of the ellipse, t its tangent, times θ cot θ: by cot θ if α = β.
  *   twist: τ = 2 atan2(D_x, D_w), with D as a quaternion (w, v):
  *          dτ/dt = (w (w ω_x + ω_y v_z - ω_z v_y) + v_x v·ω) / (w² + v_x²).
  *   motor: three rows of D, at the end (bcl_servo.c).

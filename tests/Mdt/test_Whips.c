@@ -43,7 +43,7 @@ static double energyOf(MdtWorldID w) {
     return (double)report.kineticEnergy + (double)report.potentialEnergy;
 }
 
-/* The largest of a whip's steps, and the largest rise of its energy in a step, relative to end's weight at its length. */
+/* The largest of a whip's steps; the largest rise of its energy in one, relative to the end's weight by its length. */
 typedef struct {
     int factorizations, fallbacks; /* the latter of all steps */
     double gap, rise;

@@ -174,9 +174,9 @@ static const double kea_lockedDirection = 1e-6;
  * if only by rounding, and respond with impulses of the error over h N. Lower values cost iterations where rows become
  * active and inactive, higher ones cost passes where heavy bodies rest on light ones. */
 static const double kea_proximalJoint = 1e-8, kea_proximalLimit = 1e-6;
-/* N of stops that act, once a pass has left more than half of the residual. A pass leaves the fraction N / (N + m) of an
- * error, m the row's mobility while all others hold, relative to A_ii: 6e-8 where 10 t hang on 8 links of 1 kg that are
- * all pressed against their stops. There kea_proximalLimit leaves .94, and the step is divided into 64 parts
+/* N of stops that act, once a pass has left more than half of the residual. A pass leaves the fraction N / (N + m) of
+ * an error, m the row's mobility while all others hold, relative to A_ii: 6e-8 where 10 t hang on 8 links of 1 kg that
+ * are all pressed against their stops. There kea_proximalLimit leaves .94, and the step is divided into 64 parts
  * (Mdt_Whips). If all passes have it, light whips take a sixth more factorizations, as their stops open and close. */
 static const double kea_proximalStop = 1e-9;
 /* N of contacts, by the number of passes that have converged well; in an impact, by the number of passes: 1e-4, and a
