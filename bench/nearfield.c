@@ -59,7 +59,7 @@ static double timePairs(int rounds, int *contacts) {
         *contacts = 0;
         for (int k = 0; k < PAIRS; k++) {
             McdManifold m;
-            *contacts += mcd_convexManifold(&a[k], &b[k], (McdReach){.01, 0}, &m);
+            *contacts += mcd_convexManifold(&a[k], &b[k], (McdReach){.margin = .01}, &m);
         }
         best = fmin(best, (now() - begin) / PAIRS);
     }

@@ -108,9 +108,8 @@ MEPUBLIC void MEAPI McdSpaceSetTeam(McdSpaceID s, MeTeam *team);
 MEPUBLIC void MEAPI McdSpaceCompareModels(McdSpaceID s);
 /** @} */
 
-/** Sets how far a body falls from rest before the next test, m: corners of hulls that come down by as much are
- *  contacts. Initially 0. */
-MEPUBLIC void MEAPI McdFrameworkSetFall(McdFrameworkID frame, double fall);
+/** Sets how a body falls from rest before the next test, m: where hulls will land then are contacts. Initially 0. */
+MEPUBLIC void MEAPI McdFrameworkSetFall(McdFrameworkID frame, const double fall[3]);
 
 /** @name Change detection: tests that need not be repeated
  *  @{ */

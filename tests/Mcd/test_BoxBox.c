@@ -104,7 +104,7 @@ static void comparePoses(int kind, MeBool slab) {
             random_unit(&r);
         p = makePose(kind, slab, scale, &r);
         const double expected = reference_axes(&p.a, &p.b, n);
-        mcd_convexManifold(&p.a, &p.b, (McdReach){p.margin, 0}, &m);
+        mcd_convexManifold(&p.a, &p.b, (McdReach){.margin = p.margin}, &m);
         if (expected > 0) { /* the axes give a bound only */
             ck_assert(m.count == 0 || deepest(&m) >= expected - depthError * p.size);
         } else {
@@ -146,7 +146,7 @@ TEST(a_cube_on_another_touches_with_its_four_corners) {
     McdManifold m;
     cubes(&a, &b);
     shape_move(&a, 0, 0, 1); /* exactly */
-    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){0, 0}, &m), 4);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = 0}, &m), 4);
     assert_vec3_near(m.normal, 0, 0, 1, 0);
     for (int i = 0; i < 4; i++) {
         assert_near(m.point[i].separation, 0, 1e-15);
@@ -160,8 +160,8 @@ TEST(contacts_end_where_the_margin_does) {
     McdManifold m;
     cubes(&a, &b);
     shape_move(&a, 0, 0, 1.01);
-    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.0099, 0}, &m), 0);
-    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.0101, 0}, &m), 4);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = .0099}, &m), 0);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = .0101}, &m), 4);
     assert_near(m.point[0].separation, .01, 9e-17);
     assert_near(m.point[0].position[2], .505, 5e-16);
 }
@@ -173,12 +173,12 @@ TEST(with_no_margin_only_what_is_inside_counts) {
     cubes(&a, &b);
     shape_rotate(&a, y, 1e-3);
     shape_move(&a, 0, 0, 1);
-    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){0, 0}, &m), 2);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = 0}, &m), 2);
     for (int i = 0; i < 2; i++) {
         ck_assert_double_le(m.point[i].separation, 0);
         ck_assert_double_gt(m.point[i].position[0], .49); /* the side that is lower */
     }
-    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.0011, 0}, &m), 4);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = .0011}, &m), 4);
 }
 
 TEST(one_within_the_other) {
@@ -187,11 +187,11 @@ TEST(one_within_the_other) {
     shape_box(&a, .1, .1, .1);
     shape_box(&b, 1, 2, 3);
     shape_move(&a, .3, 0, 0);
-    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){0, 0}, &m), 4);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = 0}, &m), 4);
     assert_vec3_near(m.normal, 1, 0, 0, 0);
     assert_near(m.point[0].separation, -.8, 1e-15);
     shape_move(&a, -.3, 0, 0); /* concentric */
-    ck_assert_int_ge(mcd_convexManifold(&a, &b, (McdReach){0, 0}, &m), 1);
+    ck_assert_int_ge(mcd_convexManifold(&a, &b, (McdReach){.margin = 0}, &m), 1);
     assert_near(mcd_length(m.normal), 1, 1e-15);
     assert_near(m.point[0].separation, -1.1, 1e-15);
 }
@@ -214,7 +214,7 @@ LOOP_TEST(a_leaning_cube_stands_on_both_ends_of_an_edge, 0, 2 * 8) {
     shape_rotate(&a, z, pi / 4);
     shape_rotate(&a, axis, tilt);
     shape_move(&a, 0, 0, .5 + .5 * cos(tilt) + .5 * sin(tilt));
-    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){2 * tilt, 0}, &m), 4);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = 2 * tilt}, &m), 4);
     for (int side = -1; side <= 1; side += 2)
         ck_assert(touchesAt(&m, radius * cos(towards + side * pi / 8), radius * sin(towards + side * pi / 8), tilt));
 }
@@ -227,7 +227,7 @@ TEST(crossed_edges_touch_in_one_point) {
     shape_rotate(&a, x, 3.14159265358979323846 / 4);
     shape_rotate(&b, y, 3.14159265358979323846 / 4);
     shape_move(&a, 0, 0, sqrt(2) - .01);
-    ck_assert_int_ge(mcd_convexManifold(&a, &b, (McdReach){0, 0}, &m), 1);
+    ck_assert_int_ge(mcd_convexManifold(&a, &b, (McdReach){.margin = 0}, &m), 1);
     assert_vec3_near(m.normal, 0, 0, 1, 9e-16);
     assert_near(deepest(&m), -.01, 9e-17);
 }
@@ -238,8 +238,8 @@ TEST(corners_apart) {
     McdManifold m;
     cubes(&a, &b);
     shape_move(&a, 1.003, 1.004, 1.012);
-    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.0129, 0}, &m), 0);
-    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.0131, 0}, &m), 1);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = .0129}, &m), 0);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = .0131}, &m), 1);
     assert_near(m.point[0].separation, .013, 2e-16);
     assert_vec3_near(m.normal, 3. / 13, 4. / 13, 12. / 13, 9e-14);
 }
@@ -253,7 +253,7 @@ TEST(features_stay_while_a_box_slides) {
         shape_box(&b, 2, 2, 2);
         shape_rotate(&a, y, 1e-5 * sin(i));
         shape_move(&a, .01 * i, .003 * i, 2.5 - 1e-5 * i);
-        ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.01, 0}, &m), 4);
+        ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = .01}, &m), 4);
         for (int k = 0; k < 4 && i; k++)
             ck_assert_uint_eq(m.point[k].feature, before.point[k].feature);
         before = m;
@@ -270,14 +270,14 @@ TEST(a_face_goes_before_edges_of_boxes_turned_by_1e_8) {
     shape_box(&a, .7, .3, .3);
     shape_box(&b, .3, .7, .5);
     shape_move(&a, .02, .03, .79);
-    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){0, 0}, &flat), 4);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = 0}, &flat), 4);
     for (int i = 0; i < 300; i++) {
         double axis[3], n[3];
         shape_box(&a, .7, .3, .3);
         random_direction(&r, axis);
         shape_rotate(&a, axis, 1e-8);
         shape_move(&a, .02, .03, .79);
-        ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){0, 0}, &m), 4);
+        ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = 0}, &m), 4);
         const double onFace = fmax(reference_along(&a, &b, a.axis[2]), reference_along(&a, &b, b.axis[2]));
         better += reference_axes(&a, &b, n) > onFace;
         assert_near(mcd_dot(m.normal, a.axis[2]), 1, 1e-15);

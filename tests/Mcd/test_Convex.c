@@ -95,7 +95,7 @@ static void comparePair(int kindA, int kindB, int pose, double scale, MeBool sla
              slab ? ", slab" : "", scale);
     const double searched = reference_distance(&a, &b, 400, n);
     const double expected = isSolid(&a) && isSolid(&b) ? fmax(searched, reference_axes(&a, &b, n)) : searched;
-    const int count = mcd_convexManifold(&a, &b, (McdReach){margin, 0}, &m);
+    const int count = mcd_convexManifold(&a, &b, (McdReach){.margin = margin}, &m);
     if (expected > margin) {
         ck_assert_int_eq(count, 0);
         return;
@@ -161,11 +161,11 @@ TEST(pushed_out_by_the_depth_they_only_touch) {
         McdShape a, b;
         McdManifold m;
         const double size = anyPair(&a, &b, &r);
-        if (!mcd_convexManifold(&a, &b, (McdReach){0, 0}, &m))
+        if (!mcd_convexManifold(&a, &b, (McdReach){.margin = 0}, &m))
             continue;
         const double k = -deepest(&m);
         shape_move(&a, k * m.normal[0], k * m.normal[1], k * m.normal[2]);
-        mcd_convexManifold(&a, &b, (McdReach){.01 * size, 0}, &m);
+        mcd_convexManifold(&a, &b, (McdReach){.margin = .01 * size}, &m);
         ck_assert_msg(m.count > 0 && fabs(deepest(&m)) < depthError * size, "%s: %g after", what,
                       m.count ? deepest(&m) : INFINITY);
     }
@@ -177,8 +177,8 @@ TEST(swapping_the_shapes_turns_the_contacts_round) {
         McdShape a, b;
         McdManifold m, n;
         const double size = anyPair(&a, &b, &r);
-        mcd_convexManifold(&a, &b, (McdReach){.01 * size, 0}, &m);
-        mcd_convexManifold(&b, &a, (McdReach){.01 * size, 0}, &n);
+        mcd_convexManifold(&a, &b, (McdReach){.margin = .01 * size}, &m);
+        mcd_convexManifold(&b, &a, (McdReach){.margin = .01 * size}, &n);
         ck_assert_msg((m.count > 0) == (n.count > 0), "%s: %d and %d points", what, m.count, n.count);
         if (!m.count)
             continue;
@@ -200,13 +200,13 @@ TEST(turning_both_turns_the_contacts) {
         McdManifold m, n;
         const double size = anyPair(&a, &b, &r);
         double axis[3];
-        mcd_convexManifold(&a, &b, (McdReach){.01 * size, 0}, &m);
+        mcd_convexManifold(&a, &b, (McdReach){.margin = .01 * size}, &m);
         random_direction(&r, axis);
         shape_rotate(&a, axis, 2);
         shape_rotate(&b, axis, 2);
         shape_move(&a, 3, 4, 5);
         shape_move(&b, 3, 4, 5);
-        mcd_convexManifold(&a, &b, (McdReach){.01 * size, 0}, &n);
+        mcd_convexManifold(&a, &b, (McdReach){.margin = .01 * size}, &n);
         if (m.count && deepest(&m) < .009 * size)
             ck_assert_msg(n.count && fabs(deepest(&m) - deepest(&n)) < depthError * size, "%s", what);
     }
@@ -321,9 +321,9 @@ static void assertStands(const McdShape *a, double margin, int points, double de
         shape_box(&ground, 9, 9, 1);
         shape_move(&ground, 0, 0, -1);
         if (isPlane)
-            mcd_planeManifold(a, z, 0, (McdReach){margin, 0}, &m);
+            mcd_planeManifold(a, z, 0, (McdReach){.margin = margin}, &m);
         else
-            mcd_convexManifold(a, &ground, (McdReach){margin, 0}, &m);
+            mcd_convexManifold(a, &ground, (McdReach){.margin = margin}, &m);
         ck_assert_int_eq(m.count, points);
         assert_vec3_near(m.normal, 0, 0, 1, 9e-16);
         assert_near(-deepest(&m), depth, 1e-7);
@@ -390,18 +390,18 @@ TEST(one_cylinder_on_another) {
     shape_cylinder(&a, .3, 1);
     shape_cylinder(&b, .5, 1);
     shape_move(&a, 0, 0, 1.999);
-    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.01, 0}, &m), 4);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = .01}, &m), 4);
     assert_vec3_near(m.normal, 0, 0, 1, 0);
     shape_cylinder(&a, .3, 1); /* lying along it */
     shape_move(&a, .799, 0, .5);
-    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.01, 0}, &m), 2);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = .01}, &m), 2);
     assert_vec3_near(m.normal, 1, 0, 0, 9e-16);
     for (int i = 0; i < 2; i++)
         assert_vec3_near(m.point[i].position, .4995, 0, i ? -.5 : 1, 9e-16);
     shape_cylinder(&a, .3, 1); /* lying across it */
     shape_rotate(&a, y, right);
     shape_move(&a, 0, .799, 0);
-    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.01, 0}, &m), 1);
+    ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = .01}, &m), 1);
     assert_vec3_near(m.normal, 0, 1, 0, TOL(5e-7, 9e-16));
     assert_near(m.point[0].separation, -.001, TOL(5e-10, 2e-15));
 }
@@ -410,7 +410,7 @@ TEST(one_cylinder_on_another) {
 
 static void assertAnswer(const McdShape *a, const McdShape *b, double separation) {
     McdManifold m;
-    ck_assert_msg(mcd_convexManifold(a, b, (McdReach){1e-6, 0}, &m) > 0, "types %d and %d", a->kind->type,
+    ck_assert_msg(mcd_convexManifold(a, b, (McdReach){.margin = 1e-6}, &m) > 0, "types %d and %d", a->kind->type,
                   b->kind->type);
     assert_near(mcd_length(m.normal), 1, 9e-16);
     ck_assert_msg(fabs(deepest(&m) - separation) < 1e-7, "types %d and %d: %.9g, expected %.9g", a->kind->type,
@@ -442,18 +442,18 @@ TEST(flat_differences_have_a_normal_across) {
     mcd_triangleShape(corners, &triangle);
     shape_sphere(&other, .5); /* its centre in the triangle */
     assertAnswer(&other, &triangle, -.5);
-    mcd_convexManifold(&other, &triangle, (McdReach){0, 0}, &m);
+    mcd_convexManifold(&other, &triangle, (McdReach){.margin = 0}, &m);
     assert_near(fabs(m.normal[2]), 1, 9e-16);
     shape_sphyl(&other, .5, 1);
     shape_rotate(&other, x, right); /* in its plane */
     assertAnswer(&other, &triangle, -.5);
-    mcd_convexManifold(&other, &triangle, (McdReach){0, 0}, &m);
+    mcd_convexManifold(&other, &triangle, (McdReach){.margin = 0}, &m);
     assert_near(fabs(m.normal[2]), 1, 9e-16);
     McdShape crossing;
     shape_sphyl(&crossing, .5, 1);
     shape_rotate(&crossing, y, right);
     assertAnswer(&other, &crossing, -1);
-    mcd_convexManifold(&other, &crossing, (McdReach){0, 0}, &m);
+    mcd_convexManifold(&other, &crossing, (McdReach){.margin = 0}, &m);
     assert_near(fabs(m.normal[2]), 1, 9e-16);
     assertAnswer(&other, &other, -1); /* parallel, the same */
 }
@@ -468,7 +468,7 @@ TEST(what_is_no_number_touches_nothing) {
                 shape_random(&a, i, 1, 0, &r);
                 shape_random(&b, j, 1, 0, &r);
                 (bad & 1 ? &a : &b)->place[bad & 2 ? 1 : 2] = bad & 2 ? NAN : INFINITY;
-                ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.01, 0}, &m), 0);
+                ck_assert_int_eq(mcd_convexManifold(&a, &b, (McdReach){.margin = .01}, &m), 0);
             }
 }
 
@@ -554,7 +554,7 @@ TEST(sizes_that_differ_much) {
             shape_random(&b, j, 1e3, 0, &r);
             const double k = -reference_along(&a, &b, z) - 1e-4;
             shape_move(&a, 0, 0, k);
-            mcd_convexManifold(&a, &b, (McdReach){1e-5, 0}, &m);
+            mcd_convexManifold(&a, &b, (McdReach){.margin = 1e-5}, &m);
             for (int c = 0; c < m.count; c++)
                 ck_assert(isfinite(m.point[c].separation) && m.point[c].separation <= 1e-5);
             if (m.count)

@@ -34,7 +34,7 @@ static MeBool isVerified(const McdShape *a, const McdShape *b, const McdProximit
         return MEFALSE;
     mcd_faceToward(a, back, &faceA);
     mcd_faceToward(b, guess->normal, &faceB);
-    return mcd_facesManifold(a, b, &faceA, &faceB, guess, (McdReach){INFINITY, 0}, &m) > 0;
+    return mcd_facesManifold(a, b, &faceA, &faceB, guess, (McdReach){.margin = INFINITY}, &m) > 0;
 }
 
 typedef struct Tally {

@@ -144,7 +144,7 @@ static void comparePair(const McdShape *a, const McdShape *b, double size, MeBoo
     worst->place = fmax(worst->place, mcd_length(between) / size);
     if (areSmooth && fabs(distance) > 1e-6 * size && distance > -.1 * size)
         worst->normal = fmax(worst->normal, sqrt(mcd_distanceSquared(n, best)));
-    const int count = mcd_convexManifold(a, b, (McdReach){margin, 0}, &m);
+    const int count = mcd_convexManifold(a, b, (McdReach){.margin = margin}, &m);
     worst->touching += count > 0;
     worst->apart += count == 0;
     ck_assert_msg(count > 0 || reference > margin - 1e-6 * size, "missed at a gap of %g", reference);

@@ -5,8 +5,7 @@
  * Contacts are the corners of their intersection. Each has a height on either surface; the difference is its
  * separation. On flat faces the separation is linear, so the deepest point is one of these corners.
  */
-#include "convex/mcd_kind_i.h"
-#include "convex/mcd_spread_i.h"
+#include "convex/mcd_face_i.h"
 
 #include <stdbool.h>
 #include <string.h>
@@ -21,33 +20,6 @@ static const double carryingShare = 1e-3, tiltShare = 0.25;
 static const double preference = 1e-5;
 /* Lines at a smaller angle (sine) touch along a segment, lines at larger angles in a point. */
 static const double segmentSine = .05;
-
-/* The code of a feature: the face's id, the kind of feature, and the name of the face's corner (McdFace). 24 bits of
- * face id suffice for any hull that fits into memory. */
-enum { CORNER = 0, EDGE = 1, INSIDE = 2, SUPPORT = 3 };
-static MeU32 featureCode(MeU32 kind, MeU32 face, MeU32 name) {
-    MEASSERT(face < 1u << 24 && name < MCD_FACE_POINTS);
-    return face << 8 | kind << 6 | name;
-}
-
-static MeU32 kindOfFeature(MeU32 feature) {
-    return feature >> 6 & 3;
-}
-
-/* The code of a corner of a hull's cap: its number in place of a face's id, and a name that no witness point has. */
-enum { CAP_NAME = MCD_FACE_POINTS - 1 };
-static MeU32 capCode(int corner) {
-    return featureCode(SUPPORT, (MeU32)corner, CAP_NAME);
-}
-
-static MeBool isOfCap(MeU32 feature) {
-    return kindOfFeature(feature) == SUPPORT && (feature & (MCD_FACE_POINTS - 1)) == CAP_NAME;
-}
-
-/* The feature id of a contact: a's feature in the upper 32 bits, b's in the lower ones. */
-static MeU64 featureOfPair(MeU32 a, MeU32 b) {
-    return (MeU64)a << 32 | b;
-}
 
 /* ---- faces ------------------------------------------------------------------------------------------ */
 
@@ -85,36 +57,11 @@ void mcd_faceToward(const McdShape *s, const double direction[3], McdFace *f) {
 
 /* ---- intersection of the faces ------------------------------------------------------------------------- */
 
-/* A candidate contact: a point in the plane orthogonal to the normal, with its heights on both surfaces. */
-typedef struct Candidate {
-    double x, y, a, b;
-    MeU64 feature;
-} Candidate;
-
-enum { MAX_CANDIDATES = 2 * MCD_FACE_POINTS };
-
-/* A face projected along the normal: counter-clockwise corners, with heights. */
-typedef struct Outline {
-    int count;
-    double x[MCD_FACE_POINTS], y[MCD_FACE_POINTS], z[MCD_FACE_POINTS];
-    MeU32 name[MCD_FACE_POINTS], id;
-    double slopeX, slopeY; /* gradient of a polygon's plane */
-} Outline;
-
-typedef struct View {
-    double u[3], w[3];
-    const double *n;
-    double slack; /* m */
-} View;
-
-static double planeHeight(const Outline *o, double x, double y) {
-    return o->z[0] + o->slopeX * (x - o->x[0]) + o->slopeY * (y - o->y[0]);
-}
-
 /* Projects a face; false for a polygon that is seen edge-on. */
-static MeBool makeOutline(const View *v, const McdFace *f, MeBool isMirrored, Outline *o) {
+static MeBool makeOutline(const McdView *v, const McdFace *f, MeBool isMirrored, McdOutline *o) {
     o->count = f->count;
     o->id = f->id;
+    o->isDisc = f->isDisc;
     o->slopeX = o->slopeY = 0;
     for (int i = 0; i < f->count; i++) {
         const int from = isMirrored ? f->count - 1 - i : i;
@@ -138,9 +85,9 @@ static MeBool makeOutline(const View *v, const McdFace *f, MeBool isMirrored, Ou
  * stores are visible to loads. */
 typedef struct Polygon {
     int count;
-    double x[MAX_CANDIDATES + 1], y[MAX_CANDIDATES + 1]; /* one more than the maximum: see cutByEdge */
-    double a[MAX_CANDIDATES + 1];                        /* height on a; used only where a is a line */
-    MeU32 origin[MAX_CANDIDATES + 1];
+    double x[MCD_CANDIDATES + 1], y[MCD_CANDIDATES + 1]; /* one more than the maximum: see cutByEdge */
+    double a[MCD_CANDIDATES + 1];                        /* height on a; used only where a is a line */
+    MeU32 origin[MCD_CANDIDATES + 1];
 } Polygon;
 
 /* The origin of a corner, packed: index of the corner or edge of a (OF_A) and of b (OF_B) that it lies on, `none` if
@@ -174,14 +121,15 @@ static MeU32 originOfCross(MeU32 origin, MeU32 j, MeU32 edges, MeU32 isIn) {
 }
 
 /* The code of the outline's corner or edge `of`; if that is `none`, of its interior. */
-static MeU32 codeOnOutline(const Outline *o, MeU32 of, MeU32 kind) {
+static MeU32 codeOnOutline(const McdOutline *o, MeU32 of, MeU32 kind) {
     const MeU32 isSome = of != none, name = o->name[of & (0 - isSome)];
-    return featureCode(selectBits(isSome, kind, INSIDE), o->id, selectBits(isSome, name, 0));
+    return mcd_featureCode(selectBits(isSome, kind, INSIDE), o->id, selectBits(isSome, name, 0));
 }
 
-static MeU64 featureOf(MeU32 origin, const Outline *a, const Outline *b) {
+static MeU64 featureOf(MeU32 origin, const McdOutline *a, const McdOutline *b) {
     const MeU32 kind = isSet(origin, IS_CROSS) ? EDGE : CORNER;
-    return featureOfPair(codeOnOutline(a, indexAt(origin, OF_A), kind), codeOnOutline(b, indexAt(origin, OF_B), kind));
+    return mcd_featureOfPair(codeOnOutline(a, indexAt(origin, OF_A), kind),
+                             codeOnOutline(b, indexAt(origin, OF_B), kind));
 }
 
 typedef struct Circle {
@@ -190,7 +138,7 @@ typedef struct Circle {
 
 /* The bounding circle of an outline; of infinite radius for up to 4 corners, where testing it would cost more than
  * it saves. */
-static Circle circleAround(const Outline *o) {
+static Circle circleAround(const McdOutline *o) {
     Circle c = {0, 0, INFINITY};
     double max = 0;
     if (o->count <= 4)
@@ -210,7 +158,7 @@ static Circle circleAround(const Outline *o) {
 /* Computes for each corner its signed distance from b's edge that begins at b's corner j, times the edge's length,
  * positive inside. Returns false if no corner is outside, which the bounding circle usually shows without the
  * distances. */
-static MeBool isEdgeCutting(const Polygon *p, const Circle *around, const Outline *b, int j, double slack,
+static MeBool isEdgeCutting(const Polygon *p, const Circle *around, const McdOutline *b, int j, double slack,
                             double *inside) {
     const int next = j + 1 < b->count ? j + 1 : 0;
     const double x = b->x[j], y = b->y[j], ex = b->x[next] - x, ey = b->y[next] - y, length = sqrt(ex * ex + ey * ey);
@@ -234,7 +182,7 @@ static void copyCorner(Polygon *to, int k, const Polygon *from, int i) {
 /* Cuts off the part of the polygon outside of b's edge j (Sutherland and Hodgman). Which corners are inside is
  * unpredictable, so each corner is written, and overwritten by the next one if it is outside. An extra entry after
  * the last corner closes the polygon: a copy of the first corner, and its distance in `inside`. */
-static void cutByEdge(Polygon *from, const double *inside, const Outline *b, int j, Polygon *to) {
+static void cutByEdge(Polygon *from, const double *inside, const McdOutline *b, int j, Polygon *to) {
     const int count = from->count;
     int made = 0;
     copyCorner(from, count, from, 0);
@@ -243,7 +191,7 @@ static void cutByEdge(Polygon *from, const double *inside, const Outline *b, int
         const int isIn = dp >= 0;
         copyCorner(to, made, from, i);
         made += isIn;
-        if (isIn == (dq >= 0) || made == MAX_CANDIDATES - 1)
+        if (isIn == (dq >= 0) || made == MCD_CANDIDATES - 1)
             continue;
         const double t = dp / (dp - dq);
         MEASSERT(t >= 0 && t <= 1); /* one end is inside, the other one outside */
@@ -257,9 +205,9 @@ static void cutByEdge(Polygon *from, const double *inside, const Outline *b, int
 }
 
 /* Clips polygon or line a by polygon b. */
-static int clipPolygon(const Outline *a, const Outline *b, double slack, Candidate *candidate) {
+static int clipPolygon(const McdOutline *a, const McdOutline *b, double slack, McdCandidate *candidate) {
     Polygon memory[2], *from = &memory[0], *to = &memory[1];
-    double inside[MAX_CANDIDATES + 1];
+    double inside[MCD_CANDIDATES + 1];
     const Circle around = circleAround(a);
     from->count = a->count;
     for (int i = 0; i < a->count; i++) {
@@ -277,17 +225,17 @@ static int clipPolygon(const Outline *a, const Outline *b, double slack, Candida
         from = to;
         to = swap;
     }
-    MEASSERT(from->count >= 0 && from->count <= MAX_CANDIDATES);
+    MEASSERT(from->count >= 0 && from->count <= MCD_CANDIDATES);
     for (int i = 0; i < from->count; i++)
-        candidate[i] = (Candidate){.x = from->x[i],
-                                   .y = from->y[i],
-                                   .a = a->count > 2 ? planeHeight(a, from->x[i], from->y[i]) : from->a[i],
-                                   .b = planeHeight(b, from->x[i], from->y[i]),
-                                   .feature = featureOf(from->origin[i], a, b)};
+        candidate[i] = (McdCandidate){.x = from->x[i],
+                                      .y = from->y[i],
+                                      .a = a->count > 2 ? mcd_planeHeight(a, from->x[i], from->y[i]) : from->a[i],
+                                      .b = mcd_planeHeight(b, from->x[i], from->y[i]),
+                                      .feature = featureOf(from->origin[i], a, b)};
     return from->count;
 }
 
-static void swapCandidates(Candidate *candidate, int count) {
+static void swapCandidates(McdCandidate *candidate, int count) {
     for (int i = 0; i < count; i++) {
         const double a = candidate[i].a;
         candidate[i].a = candidate[i].b;
@@ -298,7 +246,7 @@ static void swapCandidates(Candidate *candidate, int count) {
 
 /* Two nearly parallel lines: candidates at the ends of the segment along which they overlap. At an offset across the
  * lines the round surfaces recede by radius - sqrt(radius^2 - offset^2), where `radius` is the sum of their radii. */
-static int overlapLines(const Outline *a, const Outline *b, double radius, Candidate *candidate) {
+static int overlapLines(const McdOutline *a, const McdOutline *b, double radius, McdCandidate *candidate) {
     double ax = a->x[1] - a->x[0], ay = a->y[1] - a->y[0];
     double bx = b->x[1] - b->x[0], by = b->y[1] - b->y[0];
     const double la = hypot(ax, ay), lb = hypot(bx, by);
@@ -317,21 +265,21 @@ static int overlapLines(const Outline *a, const Outline *b, double radius, Candi
         const double offset = hypot(b->x[0] + tb * bx - x, b->y[0] + tb * by - y);
         const double away = offset < radius ? radius - sqrt(radius * radius - offset * offset) : radius;
         const MeBool isA = i ? end == la : begin == 0;
-        const MeU32 nameA = isA ? featureCode(CORNER, a->id, a->name[i]) : featureCode(INSIDE, a->id, 0);
-        const MeU32 nameB =
-            isA ? featureCode(INSIDE, b->id, 0) : featureCode(CORNER, b->id, b->name[i ? t1 < t0 ? 0 : 1 : t1 < t0]);
-        candidate[i] = (Candidate){.x = x + (b->x[0] + tb * bx - x) / 2,
-                                   .y = y + (b->y[0] + tb * by - y) / 2,
-                                   .a = a->z[0] + ta * (a->z[1] - a->z[0]) + away,
-                                   .b = b->z[0] + tb * (b->z[1] - b->z[0]),
-                                   .feature = featureOfPair(nameA, nameB)};
+        const MeU32 nameA = isA ? mcd_featureCode(CORNER, a->id, a->name[i]) : mcd_featureCode(INSIDE, a->id, 0);
+        const MeU32 nameB = isA ? mcd_featureCode(INSIDE, b->id, 0)
+                                : mcd_featureCode(CORNER, b->id, b->name[i ? t1 < t0 ? 0 : 1 : t1 < t0]);
+        candidate[i] = (McdCandidate){.x = x + (b->x[0] + tb * bx - x) / 2,
+                                      .y = y + (b->y[0] + tb * by - y) / 2,
+                                      .a = a->z[0] + ta * (a->z[1] - a->z[0]) + away,
+                                      .b = b->z[0] + tb * (b->z[1] - b->z[0]),
+                                      .feature = mcd_featureOfPair(nameA, nameB)};
     }
     return 2;
 }
 
 /* Two lines that cross: the candidate is their crossing, where the witness points of a guessed normal coincide in
  * projection. */
-static int crossLines(const Outline *a, const Outline *b, MeU64 feature, Candidate *candidate) {
+static int crossLines(const McdOutline *a, const McdOutline *b, MeU64 feature, McdCandidate *candidate) {
     static const double half = .5 + 1e-9; /* half of a line's length, plus rounding */
     const double ax = a->x[1] - a->x[0], ay = a->y[1] - a->y[0], bx = b->x[1] - b->x[0], by = b->y[1] - b->y[0];
     const double x = b->x[0] - a->x[0], y = b->y[0] - a->y[0], area = ax * by - ay * bx;
@@ -341,15 +289,15 @@ static int crossLines(const Outline *a, const Outline *b, MeU64 feature, Candida
     const double s = (x * by - y * bx) / area, t = (x * ay - y * ax) / area;
     if (fabs(s - .5) > half || fabs(t - .5) > half)
         return 0;
-    candidate[0] = (Candidate){.x = a->x[0] + s * ax,
-                               .y = a->y[0] + s * ay,
-                               .a = a->z[0] + s * (a->z[1] - a->z[0]),
-                               .b = b->z[0] + t * (b->z[1] - b->z[0]),
-                               .feature = feature};
+    candidate[0] = (McdCandidate){.x = a->x[0] + s * ax,
+                                  .y = a->y[0] + s * ay,
+                                  .a = a->z[0] + s * (a->z[1] - a->z[0]),
+                                  .b = b->z[0] + t * (b->z[1] - b->z[0]),
+                                  .feature = feature};
     return 1;
 }
 
-static int clipFaces(const Outline *a, const Outline *b, double radius, double slack, Candidate *candidate) {
+static int clipFaces(const McdOutline *a, const McdOutline *b, double radius, double slack, McdCandidate *candidate) {
     if (a->count < 2 || b->count < 2)
         return 0;
     if (b->count > 2 && b->count <= MeMAX(a->count, 4))
@@ -366,14 +314,14 @@ static int clipFaces(const Outline *a, const Outline *b, double radius, double s
 
 /* ---- reduction to four points ------------------------------------------------------------------------------------ */
 
-static double planarDistanceSquared(const Candidate *p, const Candidate *q) {
+static double planarDistanceSquared(const McdCandidate *p, const McdCandidate *q) {
     const double x = p->x - q->x, y = p->y - q->y;
     return x * x + y * y;
 }
 
 /* Removes candidates whose gap exceeds the margin, and duplicates. With more than 8 points, which are in the
  * polygon's order, only the previous and the first point are compared. */
-static int dropFarAndDuplicates(Candidate *candidate, int count, double margin, double slack) {
+static int dropFarAndDuplicates(McdCandidate *candidate, int count, double margin, double slack) {
     const double min = 16 * slack * slack;
     int kept = 0;
     for (int i = 0; i < count; i++) {
@@ -387,13 +335,13 @@ static int dropFarAndDuplicates(Candidate *candidate, int count, double margin, 
     return kept;
 }
 
-static double depthOf(const Candidate *s) {
+static double depthOf(const McdCandidate *s) {
     return s->b - s->a;
 }
 
 /* The candidate farthest from a point. Of candidates equal to within the slack the first one is chosen, so that a
  * body at rest keeps its contacts. */
-static int farthestOf(const Candidate *candidate, int count, const Candidate *from, double slack) {
+static int farthestOf(const McdCandidate *candidate, int count, const McdCandidate *from, double slack) {
     int best = 0;
     double enough = slack * slack; /* (max + slack)^2 */
     for (int i = 0; i < count; i++) {
@@ -407,8 +355,8 @@ static int farthestOf(const Candidate *candidate, int count, const Candidate *fr
     return best;
 }
 
-static Candidate middleOf(const Candidate *candidate, int count) {
-    Candidate middle = {.x = 0, .y = 0};
+static McdCandidate middleOf(const McdCandidate *candidate, int count) {
+    McdCandidate middle = {.x = 0, .y = 0};
     for (int i = 0; i < count; i++) {
         middle.x += candidate[i].x / count;
         middle.y += candidate[i].y / count;
@@ -417,13 +365,13 @@ static Candidate middleOf(const Candidate *candidate, int count) {
 }
 
 /* Twice the signed area of a triangle, positive if counter-clockwise. */
-static double areaOf(const Candidate *a, const Candidate *b, const Candidate *c) {
+static double areaOf(const McdCandidate *a, const McdCandidate *b, const McdCandidate *c) {
     return (b->x - a->x) * (c->y - a->y) - (b->y - a->y) * (c->x - a->x);
 }
 
 /* The candidate farthest from the line first-second on either side, left in best[0] and right in best[1]; -1: none. */
-static void farthestBeside(const Candidate *candidate, int count, const Candidate *first, const Candidate *second,
-                           double slack, int best[2]) {
+static void farthestBeside(const McdCandidate *candidate, int count, const McdCandidate *first,
+                           const McdCandidate *second, double slack, int best[2]) {
     const double dx = second->x - first->x, dy = second->y - first->y, min = 4 * slack * sqrt(dx * dx + dy * dy);
     double max[2] = {min, min};
     best[0] = best[1] = -1;
@@ -437,7 +385,7 @@ static void farthestBeside(const Candidate *candidate, int count, const Candidat
     }
 }
 
-static int deepestOf(const Candidate *candidate, int count) {
+static int deepestOf(const McdCandidate *candidate, int count) {
     int best = 0;
     for (int i = 1; i < count; i++)
         if (depthOf(&candidate[i]) > depthOf(&candidate[best]))
@@ -447,8 +395,8 @@ static int deepestOf(const Candidate *candidate, int count) {
 
 /* If all kept points are shallower than the deepest candidate by more than the slack, that candidate replaces the
  * kept point nearest to it. */
-static void includeDeepest(const Candidate *candidate, int count, Candidate *kept, int made, double slack) {
-    const Candidate *deepest = &candidate[deepestOf(candidate, count)];
+static void includeDeepest(const McdCandidate *candidate, int count, McdCandidate *kept, int made, double slack) {
+    const McdCandidate *deepest = &candidate[deepestOf(candidate, count)];
     int nearest = 0;
     for (int i = 0; i < made; i++) {
         if (depthOf(&kept[i]) >= depthOf(deepest) - slack)
@@ -461,7 +409,7 @@ static void includeDeepest(const Candidate *candidate, int count, Candidate *kep
 
 /* Adds a fourth point to a triangle of kept points: the candidate that enlarges its area most, beyond one of the two
  * sides at the third point. Returns the number of points. */
-static int addFourthPoint(const Candidate *candidate, int count, Candidate *kept, double slack) {
+static int addFourthPoint(const McdCandidate *candidate, int count, McdCandidate *kept, double slack) {
     double max = 0;
     int best = -1;
     for (int k = 0; k < 2; k++) {
@@ -483,7 +431,7 @@ static int addFourthPoint(const Candidate *candidate, int count, Candidate *kept
 
 /* Moves to the front the candidates whose depth is within `band`, or within tiltShare of the range of depths, of the
  * deepest. Returns their number. */
-static int moveDeepestToFront(Candidate *candidate, int count, double band) {
+static int moveDeepestToFront(McdCandidate *candidate, int count, double band) {
     double deepest = -INFINITY, shallowest = INFINITY;
     int nearDeepest = 0;
     for (int i = 0; i < count; i++) {
@@ -493,7 +441,7 @@ static int moveDeepestToFront(Candidate *candidate, int count, double band) {
     const double min = deepest - fmax(band, tiltShare * (deepest - shallowest));
     for (int i = 0; i < count; i++)
         if (depthOf(&candidate[i]) >= min) {
-            const Candidate c = candidate[i];
+            const McdCandidate c = candidate[i];
             memmove(&candidate[nearDeepest + 1], &candidate[nearDeepest],
                     (size_t)(i - nearDeepest) * sizeof *candidate);
             candidate[nearDeepest++] = c;
@@ -509,11 +457,11 @@ static int moveDeepestToFront(Candidate *candidate, int count, double band) {
  *
  * mcd_spread does not fit: here all points are in one plane, ties to within the slack must keep the contacts of
  * bodies at rest, and mcd_spread would make a pair a fifth slower. */
-static int reduceToFour(Candidate *candidate, int count, MeBool isDisc, double size) {
+static int reduceToFour(McdCandidate *candidate, int count, MeBool isDisc, double size) {
     const double slack = mcd_slack * size;
     const int nearDeepest = isDisc ? count : moveDeepestToFront(candidate, count, carryingShare * size);
-    const Candidate middle = middleOf(candidate, nearDeepest);
-    Candidate kept[4];
+    const McdCandidate middle = middleOf(candidate, nearDeepest);
+    McdCandidate kept[4];
     int of[2], all[2], made = 0;
     kept[made++] = candidate[farthestOf(candidate, nearDeepest, &middle, slack)];
     kept[made++] = candidate[farthestOf(candidate, nearDeepest > 1 ? nearDeepest : count, &kept[0], slack)];
@@ -529,70 +477,16 @@ static int reduceToFour(Candidate *candidate, int count, MeBool isDisc, double s
     return made;
 }
 
-/* ---- corners that come down -------------------------------------------------------------------------------------- */
-
-/* Whether a point in the contact plane is inside of a polygon, or at its border. */
-static MeBool isWithin(const Outline *o, double x, double y, double slack) {
-    for (int i = 0; i < o->count; i++) {
-        const int next = i + 1 < o->count ? i + 1 : 0;
-        const double ex = o->x[next] - o->x[i], ey = o->y[next] - o->y[i];
-        if (ex * (y - o->y[i]) - ey * (x - o->x[i]) < -slack * hypot(ex, ey))
-            return MEFALSE;
-    }
-    return o->count > 2;
-}
-
-/* Appends the corners of one shape's cap over the other one's face. isOfA: the cap is a's. */
-static int addCap(const McdShape *s, const Outline *onto, const View *v, MeBool isOfA, double tilt, double margin,
-                  Candidate *candidate, int count) {
-    const MeU32 inside = featureCode(INSIDE, onto->id, 0);
-    double direction[3];
-    McdCap cap;
-    mcd_scale(direction, v->n, isOfA ? -1 : 1);
-    if (onto->count < 3 || !mcd_capToward(s, direction, tilt, &cap))
-        return count;
-    for (int i = 0; i < cap.count && count < MAX_CANDIDATES; i++) {
-        const double x = mcd_dot(v->u, cap.point[i]), y = mcd_dot(v->w, cap.point[i]), z = mcd_dot(v->n, cap.point[i]);
-        const double height = planeHeight(onto, x, y);
-        const MeU32 code = capCode(cap.corner[i]);
-        if (!isWithin(onto, x, y, v->slack))
-            continue;
-        candidate[count++] = (Candidate){.x = x,
-                                         .y = y,
-                                         .a = isOfA ? z : height,
-                                         .b = isOfA ? height : z,
-                                         .feature = isOfA ? featureOfPair(code, inside) : featureOfPair(inside, code)};
-    }
-    return dropFarAndDuplicates(candidate, count, margin, v->slack);
-}
-
-/* Adds to the chosen contacts those of all candidates that may overlap when the shapes tilt. */
-static int addForTilt(const Candidate *all, int count, double tilt, double size, Candidate *chosen, int chosenCount) {
-    McdSpot spot[MAX_CANDIDATES];
-    int kept[MCD_MANIFOLD_POINTS] = {0};
-    for (int i = 0; i < count; i++) {
-        spot[i] = (McdSpot){.at = {all[i].x, all[i].y, 0, 0, 0, 1}, .separation = all[i].a - all[i].b};
-        for (int k = 0; k < chosenCount; k++)
-            if (all[i].feature == chosen[k].feature)
-                kept[k] = i;
-    }
-    const int keptCount =
-        mcd_spreadForTilt(spot, count, MCD_MANIFOLD_POINTS, tilt, mcd_mayEnter * size, chosenCount, kept);
-    for (int k = chosenCount; k < keptCount; k++)
-        chosen[k] = all[kept[k]];
-    return keptCount;
-}
-
 /* ---- manifolds ------------------------------------------------------------------------------------------ */
 
 /* Whether a candidate at (x, y, z) is at a vertex of the face. A corner of a disc is one sample of its rim, and the
  * rim's farthest point moves along it. The witness points of a proximity (SUPPORT) have no name: they are compared. */
-static MeBool isAtVertex(const McdFace *f, MeU32 feature, const View *v, double x, double y, double z) {
+static MeBool isAtVertex(const McdFace *f, MeU32 feature, const McdView *v, double x, double y, double z) {
     double point[3];
-    if (isOfCap(feature))
+    if (mcd_isOfCap(feature))
         return METRUE;
-    if (f->isDisc || kindOfFeature(feature) != SUPPORT)
-        return !f->isDisc && kindOfFeature(feature) == CORNER;
+    if (f->isDisc || mcd_featureKind(feature) != SUPPORT)
+        return !f->isDisc && mcd_featureKind(feature) == CORNER;
     for (int k = 0; k < 3; k++)
         point[k] = v->u[k] * x + v->w[k] * y + v->n[k] * z;
     for (int i = 0; i < f->count; i++) {
@@ -610,7 +504,7 @@ static double radiusAt(const McdShape *s, const double outward[3], const double 
     return s->kind->isSampled && m->count > 1 ? m->point[0].radius[side] : mcd_surfaceRadius(s, outward, position);
 }
 
-static McdManifoldPoint *addContact(const McdShape *a, const McdShape *b, const View *v, const Candidate *s,
+static McdManifoldPoint *addContact(const McdShape *a, const McdShape *b, const McdView *v, const McdCandidate *s,
                                     McdManifold *m) {
     const double za = s->a - a->rounding, zb = s->b + b->rounding;
     McdManifoldPoint *p = &m->point[m->count++];
@@ -626,20 +520,20 @@ static McdManifoldPoint *addContact(const McdShape *a, const McdShape *b, const 
 }
 
 /* A candidate midway between the witness points: the deepest contact, independent of the faces. */
-static Candidate supportCandidate(const View *v, const McdProximity *p, MeU64 feature) {
+static McdCandidate supportCandidate(const McdView *v, const McdProximity *p, MeU64 feature) {
     double middle[3];
     for (int i = 0; i < 3; i++)
         middle[i] = (p->onA[i] + p->onB[i]) / 2;
     const double z = mcd_dot(v->n, middle);
-    return (Candidate){.x = mcd_dot(v->u, middle),
-                       .y = mcd_dot(v->w, middle),
-                       .a = z + p->separation / 2,
-                       .b = z - p->separation / 2,
-                       .feature = feature};
+    return (McdCandidate){.x = mcd_dot(v->u, middle),
+                          .y = mcd_dot(v->w, middle),
+                          .a = z + p->separation / 2,
+                          .b = z - p->separation / 2,
+                          .feature = feature};
 }
 
-static View makeView(const McdShape *a, const McdShape *b, const McdProximity *p) {
-    View v = {.n = p->normal, .slack = mcd_slack * mcd_pairSize(a, b)};
+static McdView makeView(const McdShape *a, const McdShape *b, const McdProximity *p) {
+    McdView v = {.n = p->normal, .slack = mcd_slack * mcd_pairSize(a, b)};
     mcd_basis(p->normal, v.u, v.w);
     return v;
 }
@@ -654,24 +548,24 @@ int mcd_pointManifold(const McdShape *a, const McdShape *b, const McdProximity *
     startManifold(m, p->normal);
     if (!(p->separation - a->rounding - b->rounding <= margin))
         return 0;
-    const View v = makeView(a, b, p);
-    const Candidate s = supportCandidate(&v, p, feature);
+    const McdView v = makeView(a, b, p);
+    const McdCandidate s = supportCandidate(&v, p, feature);
     addContact(a, b, &v, &s, m);
     return 1;
 }
 
 /* Whether a candidate's height on a face is as exact as its position: if the face is at less than 45 degrees to the
  * contact plane, and always at the ends of a line. */
-static MeBool isHeightExact(const Outline *o, MeU32 feature) {
+static MeBool isHeightExact(const McdOutline *o, MeU32 feature) {
     if (o->count > 2)
         return o->slopeX * o->slopeX + o->slopeY * o->slopeY < 1;
     const double x = o->x[1] - o->x[0], y = o->y[1] - o->y[0], z = o->z[1] - o->z[0];
-    return kindOfFeature(feature) == CORNER || z * z < x * x + y * y;
+    return mcd_featureKind(feature) == CORNER || z * z < x * x + y * y;
 }
 
 /* Limits the depth of all candidates to the depth of the cores, which rounding (slack) lets them exceed on steep
  * faces. Returns the index of the deepest candidate; -1: there is none. */
-static int clampSeparations(Candidate *candidate, int count, double separation) {
+static int clampSeparations(McdCandidate *candidate, int count, double separation) {
     double min = INFINITY;
     int deepest = -1;
     for (int i = 0; i < count; i++) {
@@ -705,14 +599,17 @@ static MeBool isManifoldGood(const McdShape *a, const McdShape *b, const McdProx
 
 int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
                       const McdProximity *p, McdReach reach, McdManifold *m) {
-    Candidate candidate[MAX_CANDIDATES], all[MAX_CANDIDATES];
-    Outline outA, outB;
-    const View v = makeView(a, b, p);
-    const double size = mcd_pairSize(a, b), tilt = mcd_tiltOf(reach, size);
+    McdCandidate candidate[MCD_CANDIDATES], all[MCD_CANDIDATES];
+    McdOutline outA, outB;
+    const McdView v = makeView(a, b, p);
+    const double size = mcd_pairSize(a, b);
     const double coreMargin = reach.margin + a->rounding + b->rounding;
-    const MeU64 support = featureOfPair(featureCode(SUPPORT, faceA->id, 0), featureCode(SUPPORT, faceB->id, 0));
+    const MeU64 support =
+        mcd_featureOfPair(mcd_featureCode(SUPPORT, faceA->id, 0), mcd_featureCode(SUPPORT, faceB->id, 0));
     int count = 0;
     outA.count = outB.count = 0;
+    outA.id = outB.id = 0;
+    outA.isDisc = outB.isDisc = MEFALSE;
     startManifold(m, p->normal);
     MEASSERT(isfinite(mcd_dot(p->normal, p->normal)) && !isnan(p->separation));
     MEASSERT(faceA->count > 0 && faceA->count <= MCD_FACE_POINTS && faceB->count > 0 &&
@@ -736,20 +633,16 @@ int mcd_facesManifold(const McdShape *a, const McdShape *b, const McdFace *faceA
         candidate[min].a = candidate[min].b + p->separation;
     else if (p->separation <= coreMargin)
         candidate[count++] = supportCandidate(&v, p, support);
-    const MeBool mayTilt = (a->hull || b->hull) && mcd_mayTilt(tilt);
-    int allCount = mayTilt ? count : 0;
+    const MeBool mayLand = (mcd_mayLand(a) || mcd_mayLand(b)) && reach.approach > mcd_mayEnter * size;
+    const int allCount = mayLand ? count : 0;
     memcpy(all, candidate, (size_t)allCount * sizeof *all);
     if (count > MCD_FACE_CONTACTS)
         count = reduceToFour(candidate, count, faceA->isDisc || faceB->isDisc, size);
-    if (mayTilt) {
-        allCount = addCap(a, &outB, &v, METRUE, tilt, coreMargin, all, allCount);
-        allCount = addCap(b, &outA, &v, MEFALSE, tilt, coreMargin, all, allCount);
-        if (allCount > count && count > 0)
-            count = addForTilt(all, allCount, tilt, size, candidate, count);
-    }
+    if (mayLand && count > 0)
+        count = mcd_addLanding(a, b, &outA, &outB, &v, reach, all, allCount, candidate, count);
     MEASSERT(count <= MCD_MANIFOLD_POINTS);
     for (int i = 0; i < count; i++) {
-        const Candidate *c = &candidate[i];
+        const McdCandidate *c = &candidate[i];
         McdManifoldPoint *point = addContact(a, b, &v, c, m);
         point->isVertex[0] = isAtVertex(faceA, (MeU32)(c->feature >> 32), &v, c->x, c->y, c->a);
         point->isVertex[1] = isAtVertex(faceB, (MeU32)c->feature, &v, c->x, c->y, c->b);

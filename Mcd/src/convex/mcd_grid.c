@@ -250,7 +250,7 @@ int mcd_convexManifold(const McdShape *a, const McdShape *b, McdReach reach, Mcd
     MEASSERT(a->extent > 0 && b->extent > 0 && a->rounding >= 0 && b->rounding >= 0);
     if (rankOf(a) <= rankOf(b))
         return manifoldOf(a, b, reach, m);
-    const int count = manifoldOf(b, a, reach, m);
+    const int count = manifoldOf(b, a, mcd_reachSwap(reach), m);
     mcd_manifoldSwap(m);
     MEASSERT(count == m->count && (isManifoldWithin(m, reach.margin) || !mcd_areResolved(a, b)));
     return count;
@@ -266,7 +266,7 @@ static void moveWitnessesToFaces(const McdShape *a, const McdShape *b, McdProxim
     findFacesAlong(a, b, p->normal, &faceA, &faceB);
     if (fmax(-mcd_dot(faceA.normal, p->normal), mcd_dot(faceB.normal, p->normal)) < 1 - 1e-9)
         return; /* an edge-edge contact has a single point */
-    const int count = mcd_facesManifold(a, b, &faceA, &faceB, p, (McdReach){INFINITY, 0}, &m);
+    const int count = mcd_facesManifold(a, b, &faceA, &faceB, p, (McdReach){.margin = INFINITY}, &m);
     for (int i = 1; i < count; i++)
         if (m.point[i].separation < deepest->separation)
             deepest = &m.point[i];

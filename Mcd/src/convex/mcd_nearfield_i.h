@@ -95,26 +95,6 @@ static inline void mcd_faceAdd(const McdShape *s, McdFace *f, double x, double y
     f->name[f->count++] = name;
 }
 
-/* ---- corners that come down (mcd_cap.c) ---- */
-
-/* Relative to the size: corners that may overlap by more before the next test are contacts. With twice as much, hulls
- * in a heap take 3 % less time, but thin shards rock for ever; with a fifth nothing changes. */
-static const double mcd_mayEnter = 1e-2;
-
-/* rad: by how much shapes of a size (m) may tilt before the next test; and whether corners beside the faces may then
- * overlap by more than mcd_mayEnter. */
-double mcd_tiltOf(McdReach reach, double size);
-MeBool mcd_mayTilt(double tilt);
-
-enum { MCD_CAP_POINTS = 48 };
-typedef struct McdCap {
-    int count, corner[MCD_CAP_POINTS]; /* numbers of the hull's vertices */
-    double point[MCD_CAP_POINTS][3];   /* without the rounding */
-} McdCap;
-/* The corners of a hull up to `height` over its farthest one in a direction, that a tilt may bring as far. Returns
- * their number; 0: of other shapes. */
-int mcd_capToward(const McdShape *s, const double direction[3], double tilt, McdCap *cap);
-
 /* Makes the manifold along a normal: clips both faces against each other, and adds the witness points of the
  * proximity if no clipped point is as deep. Includes the roundings. Returns the number of contacts. If the proximity
  * is a guess, it is verified: 0 unless the faces are as near as its separation says. */

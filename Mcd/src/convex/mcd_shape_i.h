@@ -15,6 +15,7 @@
 #include "MeAssert.h"
 #include "MeInternal.h"
 #include "MeMessage.h"
+#include "convex/mcd_reach_i.h"
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
@@ -155,15 +156,8 @@ double mcd_shapeNoise(const McdShape *s);
 
 /* ---- manifolds ------------------------------------------------------------------------------------------------ */
 
-/* Of the faces, and with the corners that the shapes may bring down beside them before the next test. With room for 8,
- * thin shards of 16 corners rock for ever. */
+/* Of the faces, and with the places where more will be needed before the next test (mcd_landing.c). */
 enum { MCD_FACE_CONTACTS = 4, MCD_MANIFOLD_POINTS = 12 };
-
-/* Which gaps are contacts. */
-typedef struct McdReach {
-    double margin;   /* m: the largest gap */
-    double approach; /* m: by how much surfaces may come nearer before the next test, also by falling; 0: not known */
-} McdReach;
 
 typedef struct McdManifoldPoint {
     double position[3]; /* midway between the surfaces */

@@ -62,7 +62,7 @@ struct _McdFramework {
     MeBool hasProgramSurfaces;      /* a geometry was created whose triangles come from a function of the program */
     int updateCallbacks;            /* number of models that have one */
     int sweptCount;                 /* number of swept models */
-    double fall;                    /* m: McdFrameworkSetFall */
+    double fall[3];                 /* m: McdFrameworkSetFall */
     MeU64 round;                    /* counts rounds of pair tests; models do not change within a round */
     MeU64 changes;                  /* counts calls that change a shape or other inputs of collisions */
     struct McdScratch *freeScratch; /* unused scratches of queries (mcd_scratch_i.h) */

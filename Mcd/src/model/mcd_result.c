@@ -29,31 +29,60 @@ MeReal MEAPI McdModelPairGetFastMargin(const McdModelPair *p) {
     return MeMAX(mcd_record(p->model1)->fastMargin, mcd_record(p->model2)->fastMargin);
 }
 
-void MEAPI McdFrameworkSetFall(McdFrameworkID frame, double fall) {
-    MEASSERT(frame && fall >= 0);
-    frame->fall = fall;
+void MEAPI McdFrameworkSetFall(McdFrameworkID frame, const double fall[3]) {
+    MEASSERT(frame);
+    mcd_copy(frame->fall, fall);
 }
 
-static McdReach reachOf(const McdModelPair *p, const MeReal *velocity1, const MeReal *velocity2) {
+/* The course of a model, or of a child of an aggregate, which turns with the whole. */
+static void setCourse(const McdGeometryInstance *ins, double time, McdCourse *c) {
+    const McdModelRecord *m = mcd_record(ins->model);
+    const MeReal *at = ins->parent ? ins->placed[3] : ins->tm[3], *body = m->refTM ? m->refTM[3] : m->instance.tm[3];
+    *c = (McdCourse){.isFree = m->linearVelocity != 0 && m->given == 0};
+    for (int i = 0; i < 3; i++) {
+        c->shift[i] = m->linearVelocity ? time * (double)m->linearVelocity[i] : 0;
+        c->turn[i] = m->angularVelocity ? time * (double)m->angularVelocity[i] : 0;
+        c->arm[i] = (double)body[i] - (double)at[i];
+    }
+    c->extent = ins->parent ? (double)m->reach : 0;
+}
+
+static void forecast(const McdReach *reach, McdForecast *f) {
+    const McdModelRecord *a = mcd_record(reach->instance[0]->model), *b = mcd_record(reach->instance[1]->model);
+    const double time = fmax((double)a->lookAhead, (double)b->lookAhead);
+    for (int k = 0; k < 2; k++)
+        setCourse(reach->instance[k], time, &f->course[k]);
+    mcd_copy(f->fall, a->frame->fall);
+    f->mayRebound = reach->mayRebound;
+}
+
+static McdReach reachOf(const McdModelPair *p, const McdGeometryInstance *child1, const McdGeometryInstance *child2,
+                        const MeReal *velocity1, const MeReal *velocity2) {
     const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
     if (isTimed(p))
-        return (McdReach){(double)McdModelPairGetFastMargin(p), 0};
+        return (McdReach){.margin = (double)McdModelPairGetFastMargin(p)};
     const double approach = maxApproach(a, b, velocity1, velocity2, p->mayTurnRound);
     MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(approach < 0));
-    return (McdReach){(double)a->tolerance + (double)b->tolerance + approach, approach + a->frame->fall};
+    return (McdReach){(double)a->tolerance + (double)b->tolerance + approach,
+                      approach + mcd_length(a->frame->fall),
+                      p->mayTurnRound,
+                      {child1, child2},
+                      forecast};
 }
 
 McdReach mcd_pairReach(const McdModelPair *p) {
-    return reachOf(p, mcd_record(p->model1)->linearVelocity, mcd_record(p->model2)->linearVelocity);
+    const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
+    return reachOf(p, &a->instance, &b->instance, a->linearVelocity, b->linearVelocity);
 }
 
 McdReach mcd_pairReachInRound(const McdModelPair *p) {
-    return reachOf(p, mcd_record(p->model1)->inputs.velocity, mcd_record(p->model2)->inputs.velocity);
+    const McdModelRecord *a = mcd_record(p->model1), *b = mcd_record(p->model2);
+    return reachOf(p, &a->instance, &b->instance, a->inputs.velocity, b->inputs.velocity);
 }
 
 McdReach mcd_childReach(const McdModelPair *p, const McdGeometryInstance *child1, const McdGeometryInstance *child2) {
     MeVector3 memory[2];
-    return reachOf(p, mcd_childVelocity(child1, memory[0]), mcd_childVelocity(child2, memory[1]));
+    return reachOf(p, child1, child2, mcd_childVelocity(child1, memory[0]), mcd_childVelocity(child2, memory[1]));
 }
 
 void mcd_pairDisplacement(const McdModelPair *p, const double arm[3], double displacement[3]) {

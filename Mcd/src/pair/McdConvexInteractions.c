@@ -94,7 +94,8 @@ int mcd_planeContacts(McdModelPair *p, McdIntersectResult *result, const char *f
     if (!mcd_shapeOf(isSwapped ? ins2 : ins1, origin, &a) ||
         !unitHalfSpaceAt(mcd_instanceTM(isSwapped ? ins1 : ins2), origin, normal, &offset))
         return mcd_warnNotPlaced(function);
-    if (mcd_planeManifold(&a, normal, offset, mcd_pairReach(p), &m)) {
+    const McdReach reach = mcd_pairReach(p);
+    if (mcd_planeManifold(&a, normal, offset, isSwapped ? mcd_reachSwap(reach) : reach, &m)) {
         if (isSwapped)
             mcd_manifoldSwap(&m);
         mcd_resultAdd(result, &m, origin, ins1, ins2);

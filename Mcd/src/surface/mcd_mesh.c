@@ -1,6 +1,7 @@
 /* Contacts of a convex shape with a surface of triangles, without ghost contacts at internal edges. The triangles
  * near the shape are gathered into the query's memory, and then pass through the stages of mcd_mesh_stages_i.h. */
 #include "surface/mcd_mesh_stages_i.h"
+#include "convex/mcd_landing_i.h"
 #include "convex/mcd_nearfield_i.h"
 #include "surface/mcd_scratch_i.h"
 #include <string.h>
@@ -266,10 +267,12 @@ static MeBool beginQuery(McdMeshQuery *q, McdModelPair *p) {
     const McdReach reach = mcd_pairReach(p);
     q->pair = p;
     q->margin = reach.margin;
-    q->approach = reach.approach;
+    q->mayLand = MEFALSE;
     MEASSERT(!(q->margin < 0));
     if (!placeQuery(q, &mcd_record(p->model1)->instance, &mcd_record(p->model2)->instance))
         return MEFALSE;
+    q->mayLand =
+        q->shape.hull && reach.approach > mcd_mayEnter * q->shape.extent && mcd_landingForecast(reach, &q->forecast);
     findDisplacement(q);
     boundAlongShape(q);
     placeBoxInMesh(q);

@@ -1,5 +1,6 @@
 /* Contacts of a convex shape with a triangle along a given normal: clips the shape's face to the triangle. */
 #include "surface/mcd_mesh_stages_i.h"
+#include "convex/mcd_landing_i.h"
 #include "convex/mcd_nearfield_i.h"
 #include "convex/mcd_sampled_i.h"
 
@@ -151,11 +152,11 @@ MeBool mcd_meshAddPoints(McdMeshQuery *q, const McdMeshTriangle *t, const double
 }
 
 void mcd_meshAddCap(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3]) {
-    const double extent = q->shape.extent, tilt = mcd_tiltOf((McdReach){q->margin, q->approach}, extent);
+    const double extent = q->shape.extent;
     double back[3], in, out, min = INFINITY;
     McdCap cap;
     mcd_scale(back, normal, -1);
-    if (!mcd_mayTilt(tilt) || !mcd_capToward(&q->shape, back, tilt, &cap))
+    if (!q->mayLand || !mcd_capToward(&q->shape, back, mcd_landingTilt(&q->forecast, normal, extent), &cap))
         return;
     for (int i = 0; i < cap.count; i++) {
         McdPolygon one; /* only its first point is set */

@@ -63,7 +63,7 @@ static MeBool intersectTriangle(const McdMeshQuery *q, const McdMeshTriangle *t,
     if (t->isFlat || !overlapsBox(q, t))
         return MEFALSE;
     mcd_triangleShape(t->corner, &triangle);
-    return mcd_convexManifold(&q->shape, &triangle, (McdReach){q->margin, 0}, m) > 0;
+    return mcd_convexManifold(&q->shape, &triangle, (McdReach){.margin = q->margin}, m) > 0;
 }
 
 /* ---- classification ---------------------------------------------------------------------------------------------- */

@@ -67,7 +67,7 @@ typedef struct McdMesh {
     int contactCount, contactMax;
     McdMeshContact *contact, *cluster, *merged;
     int *contactOrder;
-    void *spots; /* array of McdSpot */
+    void *spots, *sites; /* arrays of McdSpot, McdSite */
     int *kept;
     int skipped;     /* number of triangles without area */
     int vertexCount; /* vertices that the geometry has numbered; 0: numbered by coordinates */
@@ -83,7 +83,9 @@ struct McdMeshQuery {
     struct McdScratch *scratch; /* the query's memory */
     McdMesh *mesh;              /* the scratch's */
     McdShape shape;
-    double margin, approach; /* m: McdReach */
+    double margin;  /* m: McdReach */
+    MeBool mayLand; /* the shape is a hull, and comes nearer before the next test: */
+    McdForecast forecast;
     double origin[3];
     double displacement[3];      /* m, of the shape relative to the mesh until the next query; 0: not known */
     double axis[3][3], place[3]; /* the mesh's frame; place is relative to the origin */

@@ -1,6 +1,7 @@
 /* Reduces the contacts of all triangles to manifolds: clusters with one normal, each of those contacts that support the
  * others. */
 #include "surface/mcd_mesh_stages_i.h"
+#include "convex/mcd_landing_i.h"
 #include "convex/mcd_spread_i.h"
 #include <string.h>
 
@@ -9,11 +10,15 @@ MeBool mcd_meshReserveContacts(McdMesh *mesh, int contacts) {
         return METRUE;
     const int n = mesh->contactCount, max = MeMAX(contacts, 2 * mesh->contactMax + 64);
     McdSpot *spots = mesh->spots;
+    McdSite *sites = mesh->sites;
     if (!MCD_MESH_GROW(mesh->contact, n, max) || !MCD_MESH_GROW(mesh->cluster, 0, max) ||
         !MCD_MESH_GROW(mesh->merged, 0, max) || !MCD_MESH_GROW(mesh->contactOrder, 0, max) ||
         !MCD_MESH_GROW(spots, 0, max))
         return MEFALSE;
     mesh->spots = spots;
+    if (!MCD_MESH_GROW(sites, 0, max))
+        return MEFALSE;
+    mesh->sites = sites;
     if (!MCD_MESH_GROW(mesh->kept, 0, max))
         return MEFALSE;
     mesh->contactMax = max;
@@ -132,19 +137,33 @@ static int keepSpread(McdMesh *mesh, McdMeshContact *contact, int count, int max
     return keep(mesh, contact, mcd_spread(mesh->spots, count, maxCount, same, mesh->kept));
 }
 
-/* Keeps those of a plane that support the others, and those that a tilt brings down. */
+/* Adds to the kept contacts of a plane those that will be needed. Returns the number of kept ones. */
+static int addLanding(const McdMeshQuery *q, const McdMeshContact *contact, int count, int keptCount) {
+    static const McdKind surface = {.rank = MCD_RANK_OTHER};
+    McdMesh *mesh = q->mesh;
+    McdSite *site = mesh->sites;
+    McdShape ground = {.kind = &surface, .extent = q->shape.extent};
+    McdLanding landing;
+    mcd_copy(ground.place, q->place);
+    if (!q->mayLand || keptCount == count ||
+        !mcd_landingBegin(&landing, &q->forecast, &q->shape, &ground, contact->normal))
+        return keptCount;
+    for (int i = 0; i < count; i++) {
+        site[i].separation = contact[i].separation;
+        for (int k = 0; k < 2; k++)
+            mcd_mad(site[i].on[k], contact[i].position, (k ? -.5 : .5) * contact[i].separation, landing.normal);
+    }
+    keptCount = mcd_landingChoose(&landing, site, count, MCD_MANIFOLD_POINTS, keptCount, mesh->kept);
+    mcd_sortAscending(mesh->kept, keptCount);
+    return keptCount;
+}
+
+/* Keeps those of a plane that support the others, and those that will be needed. */
 static int keepOfPlane(const McdMeshQuery *q, McdMeshContact *contact, int count, int maxCount, double same) {
     McdMesh *mesh = q->mesh;
-    const double size = q->shape.extent, tilt = mcd_tiltOf((McdReach){q->margin, q->approach}, size);
     setSpots(mesh, contact, count);
-    int keptCount = mcd_spread(mesh->spots, count, maxCount, same, mesh->kept);
-    if (q->shape.hull && keptCount < MeMIN(count, MCD_MANIFOLD_POINTS) && mcd_mayTilt(tilt)) {
-        setSpots(mesh, contact, count);
-        keptCount = mcd_spreadForTilt(mesh->spots, count, MCD_MANIFOLD_POINTS, tilt, mcd_mayEnter * size, keptCount,
-                                      mesh->kept);
-        mcd_sortAscending(mesh->kept, keptCount);
-    }
-    return keep(mesh, contact, keptCount);
+    const int keptCount = mcd_spread(mesh->spots, count, maxCount, same, mesh->kept);
+    return keep(mesh, contact, addLanding(q, contact, count, keptCount));
 }
 
 /* The coordinate of a contact's surface point along a normal. */

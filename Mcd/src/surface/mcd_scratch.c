@@ -44,7 +44,7 @@ void mcd_scratchRelease(McdFramework *frame, McdScratch *scratch) {
 static void freeMesh(McdMesh *mesh) {
     void *block[] = {mesh->triangle,     mesh->place, mesh->slot,    mesh->cornerOf, mesh->firstOf,
                      mesh->usersOf,      mesh->fan,   mesh->contact, mesh->cluster,  mesh->merged,
-                     mesh->contactOrder, mesh->spots, mesh->kept};
+                     mesh->contactOrder, mesh->spots, mesh->sites,   mesh->kept};
     for (size_t i = 0; i < sizeof block / sizeof *block; i++)
         MeMemoryGive(block[i]);
     memset(mesh, 0, sizeof *mesh);

@@ -278,12 +278,15 @@ static void warnOfSurfaces(const McdModelPairContainer *pairs) {
     }
 }
 
-/* m: by how much a body at rest falls in a step: its velocity changes at the step's start. */
-static double fallWithin(MdtWorldID w, MeReal step) {
+/* Tells collision how a body at rest falls in a step: its velocity changes at the step's start. */
+static void setFall(McdFrameworkID frame, MdtWorldID w, MeReal step) {
     MeVector3 g = {0, 0, 0};
+    double fall[3];
     if (w)
         MdtWorldGetGravity(w, g);
-    return (double)(MeVector3Magnitude(g) * step * step);
+    for (int i = 0; i < 3; i++)
+        fall[i] = (double)(g[i] * step * step);
+    McdFrameworkSetFall(frame, fall);
 }
 
 /* Objects that callbacks destroyed are removed at the end, once the next change block is open. */
@@ -304,7 +307,7 @@ void mst_updateContacts(MstBridgeRecord *record, McdSpaceID s, MdtWorldID w) {
     }
     mst_clearSafeTimes(record);
     record->ahead = McdSpaceGetLookAhead(s);
-    McdFrameworkSetFall(record->frame, fallWithin(w, record->ahead));
+    setFall(record->frame, w, record->ahead);
     MeProfileStartSection("Pairs", 0);
     McdSpaceEndChanges(s);
     MeProfileEndSection("Pairs");
