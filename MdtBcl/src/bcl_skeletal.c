@@ -161,8 +161,9 @@ static int prepare(MdtBclConstraint *c, const MdtBclContext *x) {
         count += bcl_limitPrepare(&s->turn, x, &row, p.tau);
     }
     count += bcl_turnServoPrepare(c, &s->servo, x);
-    const MeBool hasNoPlane = p.isParallel && s->cone.rows && s->coneOption == MdtSkeletalConeOptionCone;
-    c->isDegenerate = p.isOpposite || (hasNoPlane && s->cone.watched[1] == 0);
+    /* in the middle of a cone the row has the direction in which the axis leaves it */
+    const MeBool isOutside = s->coneOption == MdtSkeletalConeOptionCone && coneCoordinate(s, &p) >= 0;
+    c->isDegenerate = p.isOpposite || (p.isParallel && s->cone.rows && isOutside);
     MEASSERT(count <= bcl_skeletal.maxRows);
     return count;
 }

@@ -91,7 +91,6 @@ TEST(a_heavy_end_that_meets_stops_does_not_divide_the_step_again_and_again) {
         ck_assert_int_eq(s.fallbacks, 0);
         assert_below(s.gap, 1e-5);
     }
-    messages_forget(); /* straight skeletal joints, whose cones have no plane */
 }
 
 /* Links are whipped past stops that seemed far. If those had no row, the end would keep the speed that closes their
@@ -101,7 +100,6 @@ TEST(no_stop_is_passed_unseen_and_gives_energy) {
         {8, 8, 1e4, 240}, {8, 3, 1e4, 60}, {8, 15, 1e3, 120}, {6, 5, 1e5, 60}, {12, 8, 1e4, 240}};
     for (int k = 0; k < 10; k++)
         assert_below(swingWhip(&whips[k / 2], k % 2 ? joinBySkeletal : joinByHinge, 0).rise, 1e-6);
-    messages_forget(); /* as above */
 }
 
 /* Links go along the rims of their cones, which bends the direction of what holds them. Without bends there are 251 to
