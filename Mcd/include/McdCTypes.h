@@ -124,6 +124,7 @@ struct _McdModelPair {
     bool isHeldApart;         /**< For the Simulation Toolkit: some joint disables collision of the bodies. */
     bool isWithinLargeIsland; /**< For the Simulation Toolkit: fast models get the contacts of slow ones. */
     bool mayTurnRound;        /**< For the Simulation Toolkit: either model may rebound before the next test. */
+    bool isJointed;           /**< For the Simulation Toolkit: the body on a fixed model had joints at the last test. */
 };
 
 /**

@@ -38,7 +38,10 @@ static void findEdge(const McdMesh *mesh, const double point[3], const double no
     mcd_copy(edge, found);
 }
 
+/* Not of bodies on joints, whose normals do not turn within the step. */
 void mcd_meshMarkEdges(McdMeshQuery *q) {
+    if (q->pair->isJointed)
+        return;
     for (int i = 0; i < q->mesh->contactCount; i++) {
         McdMeshContact *c = &q->mesh->contact[i];
         double point[3], centre[3];

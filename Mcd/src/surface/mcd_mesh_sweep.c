@@ -6,9 +6,12 @@
  *   - Where the surface falls away below a contact, its normal becomes that of the chord, from the ball's place to
  *     where it touches the surface after its displacement. Motion along the chord ends on the surface, and no work is
  *     done.
- *   - The first triangle whose plane the ball reaches, over that triangle, gets a contact ahead of time, with the
- *     current gap. The narrow phase does not find it, since the nearest feature is still the edge between both
- *     triangles, which has no admissible normal.
+ *   - The triangles that a ball, cylinder or sphyl comes down to, one after the other, get contacts ahead of time, with
+ *     the current gaps; its path goes on along each. The narrow phase does not find them, since the nearest feature is
+ *     still the edge between both triangles, which has no admissible normal. A shape that overlaps the surface by d
+ *     overlaps the next triangle's plane, too, before it is over that triangle: it moves as over a surface that is
+ *     lower by d, and loses a share of d at each triangle. Otherwise it would enter each facet of a bowl by the
+ *     displacement times the angle, and be lifted out of it against gravity.
  *
  * The displacement is that of the current velocities, as for all speculative contacts (mcd_pairReach). Other shapes
  * touch at points with different displacements; they keep the contacts of their current place. */
@@ -100,47 +103,126 @@ static MeBool hasContactAlong(const McdMesh *mesh, const double normal[3]) {
     return MEFALSE;
 }
 
-/* The fraction of the displacement after which the ball, which is above the triangle's plane, touches the triangle;
- * infinite if it does not. *gap gets the current gap. */
-static double touchOnSweep(const McdMeshQuery *q, const McdMeshTriangle *t, double *gap) {
-    const double fall = -mcd_dot(q->displacement, t->normal);
-    double end[3], in, out;
-    *gap = heightOver(t, q->shape.place) - q->shape.rounding;
-    if (!(*gap >= 0 && *gap < fall))
-        return INFINITY;
-    mcd_mad(end, q->shape.place, 1, q->displacement);
-    return mcd_meshClipSegment(t, q->shape.place, end, MCD_MESH_OVERLAP * q->shape.extent, &in, &out) &&
-                   in <= *gap / fall && *gap / fall <= out
-               ? *gap / fall
-               : INFINITY;
+/* The share of an overlap that the shape loses where it comes to the next triangle: the gamma of dynamics' defaults, as
+ * the contacts ahead take the place of those that would correct the overlap. With 0 a ball of .1 m in a bowl of 128
+ * facets, which take .234 of its energy, loses .199 at 60 Hz, .531 at 30 Hz. */
+#define MCD_MESH_SHED .2
+
+/* A path over the surface: straight until the shape meets a triangle, then along that triangle. */
+typedef struct Path {
+    double start[3]; /* the shape's place before it */
+    double ahead[3]; /* m: the displacement that is left, from q->shape.place */
+    double overlap;  /* m: of the deepest contact at the start. The shape moves as over a surface that is lower by that:
+                        it overlaps the triangles that it comes to before it is over them */
+} Path;
+
+/* m: the depth of the deepest contact. */
+static double deepestOverlap(const McdMesh *mesh) {
+    double depth = 0;
+    for (int i = 0; i < mesh->contactCount; i++)
+        depth = fmax(depth, -mesh->contact[i].separation);
+    return depth;
 }
 
-/* Adds a contact with the first triangle that the ball reaches, unless there is a contact along its normal. */
-static void addContactAhead(McdMeshQuery *q) {
+/* The fraction of the path ahead after which the shape, which is above the triangle's plane, meets the triangle;
+ * infinite if it does not. */
+static double touchOf(const McdMeshQuery *q, const Path *path, const McdMeshTriangle *t) {
+    const double fall = -mcd_dot(path->ahead, t->normal), tolerance = MCD_MESH_OVERLAP * q->shape.extent;
+    double back[3], from[3], to[3], in, out;
+    if (t->isFlat || !(fall > tolerance))
+        return INFINITY;
+    mcd_scale(back, t->normal, -1);
+    mcd_coreSupport(&q->shape, back, from);
+    const double gap = heightOver(t, from) - q->shape.rounding + path->overlap;
+    if (!(gap >= -tolerance && gap < fall))
+        return INFINITY;
+    const double share = fmax(gap, 0) / fall;
+    mcd_mad(to, from, 1, path->ahead);
+    return mcd_meshClipSegment(t, from, to, tolerance, &in, &out) && in <= share && share <= out ? share : INFINITY;
+}
+
+/* The first triangle that the shape meets, on a body with joints one without a contact; null: none. */
+static const McdMeshTriangle *firstTouched(const McdMeshQuery *q, const Path *path, double *soonest) {
     const McdMeshTriangle *first = NULL;
-    double soonest = INFINITY, gap = 0, at[3];
+    *soonest = INFINITY;
     for (int i = 0; i < q->mesh->count; i++) {
-        double ownGap;
-        const double share = touchOnSweep(q, &q->mesh->triangle[i], &ownGap);
-        if (!(share < soonest) || hasContactAlong(q->mesh, q->mesh->triangle[i].normal))
+        const McdMeshTriangle *t = &q->mesh->triangle[i];
+        const double share = touchOf(q, path, t);
+        if (!(share < *soonest) || (q->pair->isJointed && hasContactAlong(q->mesh, t->normal)))
             continue;
-        soonest = share;
-        gap = ownGap;
-        first = &q->mesh->triangle[i];
+        *soonest = share;
+        first = t;
     }
-    if (!first || first >= q->mesh->triangle + q->mesh->own) /* another model's pair has that contact */
-        return;
-    MEASSERT(soonest >= 0 && soonest <= 1 && gap >= 0);
-    mcd_mad(at, q->shape.place, -(q->shape.rounding + gap / 2), first->normal);
-    mcd_meshAddContact(q, first, at, first->normal, gap, 0, MEFALSE);
+    return first;
+}
+
+/* Goes on to where the shape meets a triangle, and along its plane from there on. */
+static void advance(McdMeshQuery *q, Path *path, double share, const double normal[3]) {
+    MEASSERT(share >= 0 && share <= 1);
+    mcd_mad(q->shape.place, q->shape.place, share, path->ahead);
+    mcd_scale(path->ahead, path->ahead, 1 - share);
+    mcd_mad(path->ahead, path->ahead, -mcd_dot(path->ahead, normal), normal);
+}
+
+/* Whether the triangle lies in the other's plane. */
+static MeBool isInPlane(const McdMeshQuery *q, const McdMeshTriangle *t, const McdMeshTriangle *other) {
+    return !t->isFlat && mcd_meshAreParallel(t->normal, other->normal) &&
+           fabs(heightOver(other, t->corner[0])) <= MCD_MESH_RISES * q->shape.extent;
+}
+
+/* Moves a contact that was found at the shape's present place to the start of the path, with the gap there. */
+static void moveToStart(const McdMeshQuery *q, const Path *path, McdMeshContact *c) {
+    double moved[3];
+    mcd_sub(moved, q->shape.place, path->start);
+    const double gap = fmax(c->separation + (1 - MCD_MESH_SHED) * path->overlap - mcd_dot(moved, c->normal), 0);
+    mcd_mad(c->position, c->position, -1, moved);
+    mcd_mad(c->position, c->position, (c->separation - gap) / 2, c->normal);
+    c->separation = gap;
+}
+
+/* Adds the contacts with the plane of a triangle that the shape meets. Those with triangles of other models are other
+ * pairs'. */
+static void addContactsAhead(McdMeshQuery *q, const Path *path, const McdMeshTriangle *touched) {
+    const int first = q->mesh->contactCount;
+    for (int i = 0; i < q->mesh->own; i++)
+        if (isInPlane(q, &q->mesh->triangle[i], touched))
+            mcd_meshAddClipped(q, &q->mesh->triangle[i], touched->normal, MCD_MESH_OVERLAP);
+    for (int i = first; i < q->mesh->contactCount; i++)
+        moveToStart(q, path, &q->mesh->contact[i]);
+}
+
+/* Adds contacts with the triangles that the shape meets on its path: with the first one alone, and not in overlap, if
+ * joints constrain the body, whose contacts ahead bear weight from the start of the step. */
+static void followPath(McdMeshQuery *q) {
+    enum { MAX_TRIANGLES = 8 };
+    const int max = q->pair->isJointed ? 1 : MAX_TRIANGLES;
+    Path path = {.overlap = q->pair->isJointed ? 0 : deepestOverlap(q->mesh)};
+    mcd_copy(path.start, q->shape.place);
+    mcd_copy(path.ahead, q->displacement);
+    for (int i = 0; i < max; i++) {
+        double share;
+        const McdMeshTriangle *t = firstTouched(q, &path, &share);
+        if (!t)
+            break;
+        advance(q, &path, share, t->normal);
+        if (!hasContactAlong(q->mesh, t->normal))
+            addContactsAhead(q, &path, t);
+    }
+    mcd_copy(q->shape.place, path.start);
+}
+
+/* Whether the shape rolls: its displacement is that of all of its points that may touch. */
+static MeBool isRound(const McdShape *shape) {
+    const McdRank rank = shape->kind->rank;
+    return rank == MCD_RANK_SPHERE || rank == MCD_RANK_SPHYL || rank == MCD_RANK_CYLINDER;
 }
 
 void mcd_meshSweep(McdMeshQuery *q) {
-    const int found = q->mesh->contactCount; /* without the contact ahead */
-    if (q->shape.kind->rank != MCD_RANK_SPHERE || mcd_dot(q->displacement, q->displacement) == 0 || found == 0)
+    const int found = q->mesh->contactCount; /* without the contacts ahead */
+    if (!isRound(&q->shape) || mcd_dot(q->displacement, q->displacement) == 0 || found == 0)
         return;
-    addContactAhead(q);
-    for (int i = 0; i < found; i++)
+    followPath(q);
+    for (int i = 0; i < found && q->shape.kind->rank == MCD_RANK_SPHERE; i++)
         if (mcd_dot(q->mesh->contact[i].edge, q->mesh->contact[i].edge) == 0)
             followSurface(q, &q->mesh->contact[i]);
 }

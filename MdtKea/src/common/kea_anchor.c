@@ -449,7 +449,7 @@ static MeBool findFaceTurn(const MdtKeaSystem *s, KeaContact *c) {
 /* Whether the line of centres turns: they move rather across it than along it, which a blow stops, and do not pass each
  * other. Not with joints, as vertices. */
 static MeBool doCentresTurn(const MdtKeaSystem *s, const KeaContact *c) {
-    double move[2][6], line[3], a[3], way[3];
+    double move[2][6], line[3], a[3], moved[3];
     if (!c->hasCentres || kea_isContactTied(s, c))
         return MEFALSE;
     for (int k = 0; k < 2; k++) {
@@ -458,9 +458,9 @@ static MeBool doCentresTurn(const MdtKeaSystem *s, const KeaContact *c) {
     }
     lineOfCentres(s, c, (const double(*)[6])move, 1, line);
     const double along = turnBetween(c->line, line, a);
-    keaSubtract(way, line, c->line);
+    keaSubtract(moved, line, c->line);
     const double across = keaLength(a) * keaLength(line);
-    return keaLength(a) > kea_slightTurn && across > fabs(keaDot(way, c->normal)) && along > kea_minFollowed;
+    return keaLength(a) > kea_slightTurn && across > fabs(keaDot(moved, c->normal)) && along > kea_minFollowed;
 }
 
 void kea_contactChooseMotion(const MdtKeaSystem *s, KeaContact *c) {

@@ -253,6 +253,14 @@ static void removeContacts(McdModelPair *p) {
     McdModelPairForgetTest(p);
 }
 
+/* For the pair's next test, which may be on another thread while bodies get contacts: whether the body on a fixed model
+ * has joints. */
+static void noteJoints(McdModelPair *p) {
+    const MdtBodyID body1 = mst_bodyOf(p->model1), body2 = mst_bodyOf(p->model2);
+    if (!body1 != !body2)
+        p->isJointed = MdtBodyHasJoints(body1 ? body1 : body2);
+}
+
 static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, MdtWorldID w) {
     if (f->updated) {
         mst_touchList(&b->events, f->updated, f->isUndecided);
@@ -268,9 +276,11 @@ static void commitPair(MstBridgeRecord *b, MstRun *run, MstFinding *f, MdtWorldI
         carryContacts(b, f);
         return;
     case MST_TESTED:
+        noteJoints(f->pair);
         commitTested(b, run, f, w);
         return;
     case MST_TO_TEST:
+        noteJoints(f->pair);
         testAndCommit(b, run, f, w);
         return;
     case MST_TO_REMOVE:
