@@ -320,6 +320,10 @@ void kea_returnContactForces(MdtKeaSystem *s);
 /* m/s: an impact that is slower does not divide a step unless another one is faster. gained: by how much the rate of
  * the contact changes in the step; speed: kea_eventSpeed. */
 double kea_minDividingSpeed(double restitution, double gained, double speed);
+/* Whether slow impacts of the contact may follow each other without end; speed: kea_eventSpeed. Those of a round
+ * surface with the surroundings do not if they lose all, and the body is faster than its loads change it: it comes to
+ * the facets of its path one after the other, and goes on along each. */
+MeBool kea_mayChatter(const MdtKeaSystem *s, const MdtKeaRow *row, double speed);
 /* s: the first t >= 0 at which gap + a t + b t²/2 becomes negative; HUGE_VAL: none. */
 double kea_timeOfImpact(double gap, double a, double b);
 

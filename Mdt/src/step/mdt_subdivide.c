@@ -343,15 +343,29 @@ static TimedResult solveToEventOrHalf(MdtIsland *p, double remaining, double min
     return result;
 }
 
+static MeBool isStill(const MdtKeaManifold *m, int side) {
+    return m->body[side] < 0 && !m->worldVelocity;
+}
+
+/* The number of contacts of round surfaces with surroundings that stay: a ball meets each at most once in a part. */
+static int countRound(const MdtIsland *p) {
+    int count = 0;
+    for (int i = 0; i < p->kea.numManifolds && !p->kea.parameters.holdsSlow; i++) {
+        const MdtKeaManifold *m = &p->kea.manifolds[i];
+        count += (m->radius[0] > 0 && isStill(m, 1)) || (m->radius[1] > 0 && isStill(m, 0)) ? m->numPoints : 0;
+    }
+    return count;
+}
+
 /* Largest number of events that divide a part. A landing column of n balls has n (n + 1)/2 impacts, as the lowest ball
  * hits the ground once for each of them; so has each column of a heap as high as it is wide, (n + 1)/2 per ball.
  * Without rebounds: one event, and another that follows from it, as when a box lands on one edge and then on the
  * other; later contacts are solved at the end of the step, at most one step late. */
 static int maxEvents(const MdtIsland *p) {
-    enum { EVENTS = 8, PLASTIC_EVENTS = 2 };
+    enum { EVENTS = 8, PLASTIC_EVENTS = 2, MAX_ROUND = 16 };
     int high = 1;
     if (!p->bounces)
-        return PLASTIC_EVENTS;
+        return PLASTIC_EVENTS + MeMIN(countRound(p), MAX_ROUND);
     while (high * high * high < p->numBodies)
         high++;
     return EVENTS + p->numBodies * (high + 1) / 2;
@@ -362,10 +376,10 @@ static int maxEvents(const MdtIsland *p) {
  * step: with holdsSlow such contacts do not divide the part. */
 static void advanceTimed(MdtIsland *p, double substep) {
     const double min = 1e-9 * substep;
+    p->kea.parameters.holdsSlow = p->numJoints > 0 && !p->bounces;
     const int max = maxEvents(p);
     const double reserve = 0.5 * p->work; /* reserve for the rest after the events */
     double remaining = substep;
-    p->kea.parameters.holdsSlow = p->numJoints > 0 && !p->bounces;
     for (int events = 0; remaining > min && !p->isStopped; events += MeMAX(p->kea.report.impacts, 1)) {
         if (events >= max || p->work < reserve || solveToEventOrHalf(p, remaining, min, max - events) != TIMED) {
             p->kea.parameters.timed = MEFALSE;

@@ -322,8 +322,8 @@ MeBool kea_impactsChatter(const MdtKeaSystem *s, const KeaEventScale *scale) {
         if (rate < -kea_minDividingSpeed(row->restitution, HUGE_VAL, speed) &&
             (isTouching || row->error + s->parameters.stepsize * rate < 0))
             return MEFALSE;
-        approaches = approaches ||
-                     (isTouching && rate < -keaMax(kea_separatingSpeed, minImpactSpeedOf(row, scale->mass)) * speed);
+        approaches = approaches || (isTouching && kea_mayChatter(s, row, speed) &&
+                                    rate < -keaMax(kea_separatingSpeed, minImpactSpeedOf(row, scale->mass)) * speed);
     }
     return approaches;
 }

@@ -9,6 +9,13 @@ double kea_minDividingSpeed(double restitution, double gained, double speed) {
     return keaMin(kea_minPlasticSpeed * speed, keaMax(kea_minOwnSpeed * fabs(gained), kea_minBlowSpeed * speed));
 }
 
+MeBool kea_mayChatter(const MdtKeaSystem *s, const MdtKeaRow *row, double speed) {
+    for (int k = 0; k < 2; k++)
+        if (row->body[1 - k] < 0 && row->radius[k] > 0 && row->drift == 0)
+            return row->restitution > 0 || keaLength(s->velocity[row->body[k]].lin) < speed;
+    return METRUE;
+}
+
 double kea_timeOfImpact(double gap, double a, double b) {
     gap = keaMax(gap, 0);
     const double root = a * a - 2 * b * gap;

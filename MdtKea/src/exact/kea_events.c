@@ -173,7 +173,8 @@ int kea_closeSlowContacts(MdtKeaSystem *s) {
 
 /* ---- events ---- */
 
-/* The time of the first impact of open contacts, and the largest speed of all impacts within the step. */
+/* The time of the first impact of open contacts, and the largest speed of all impacts within the step. The speed of
+ * those that cannot chatter does not matter. */
 static Impact firstImpact(const MdtKeaSystem *s, double speed) {
     Impact first = {HUGE_VAL, 0};
     for (int i = 0; i < s->numRows; i++) {
@@ -182,7 +183,8 @@ static Impact firstImpact(const MdtKeaSystem *s, double speed) {
         const Impact m = impactOf(s, i, kea_endRate(s, i), speed);
         first.time = keaMin(first.time, m.time);
         if (m.time < s->parameters.stepsize)
-            first.speed = keaMax(first.speed, m.speed);
+            first.speed = keaMax(first.speed,
+                                 s->parameters.holdsSlow || kea_mayChatter(s, &s->rows[i], speed) ? m.speed : HUGE_VAL);
     }
     return first;
 }
