@@ -160,18 +160,43 @@ static double largestTerms(const MdtKeaSystem *s, double (*velocity)[6]) {
     return 0.5 * sum;
 }
 
+/* Whether a row acts between a body and the world. */
+static MeBool isWorldActing(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (!s->work->problem.row[i].isInactive && (s->rows[i].body[0] < 0 || s->rows[i].body[1] < 0))
+            return METRUE;
+    return MEFALSE;
+}
+
+/* The common velocity of the bodies that are not free, which nothing but the world changes: 0 if that acts or locks
+ * axes. Returns its energy, J. */
+static double commonVelocity(const MdtKeaSystem *s, double (*velocity)[6], double common[3]) {
+    double mass = 0;
+    keaZero(common);
+    if (s->work->hasLocks || isWorldActing(s))
+        return 0;
+    for (int b = 0; b < s->numBodies; b++)
+        if (!s->work->body[b].isFree) {
+            mass += 1 / s->bodies[b]->invMass;
+            keaAddScaled(common, 1 / s->bodies[b]->invMass, velocity[b]);
+        }
+    keaScale(common, mass > 0 ? 1 / mass : 0, common);
+    return 0.5 * mass * keaDot(common, common);
+}
+
 MeBool kea_scaleVelocities(const MdtKeaSystem *s, double (*velocity)[6], double allowed, double (*change)[6]) {
+    double common[3];
     const double energy = kea_kineticEnergy(s, velocity, NULL);
     if (energy <= allowed)
         return MEFALSE;
-    const double kept = freeEnergy(s, velocity);
+    const double kept = freeEnergy(s, velocity) + commonVelocity(s, velocity, common);
     if (!(energy > kept)) /* nothing but free bodies moves */
         return MEFALSE;
     const double less = sqrt(keaMax(allowed - kept, 0) / (energy - kept)) - 1;
     MEASSERT(!(less < -1) && !(less > 0));
     for (int b = 0; b < s->numBodies; b++)
         for (int k = 0; k < 6; k++)
-            change[b][k] = s->work->body[b].isFree ? 0 : less * velocity[b][k];
+            change[b][k] = s->work->body[b].isFree ? 0 : less * (velocity[b][k] - (k < 3 ? common[k] : 0));
     MEASSERT(!(kea_kineticEnergy(s, velocity, change) >
                keaMax(allowed, kept) + kea_assertedRounding * energy + kea_energyRounding * largestTerms(s, velocity)));
     return METRUE;
