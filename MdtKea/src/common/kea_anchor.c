@@ -250,7 +250,8 @@ static void setAnchors(const MdtKeaSystem *s, KeaContact *c) {
         c->isAboutCentre[k] = isAboutCentre(c, k);
     }
     c->hasCentres = haveCentres(c);
-    lineOfCentres(s, c, NULL, 0, c->line);
+    if (c->hasCentres)
+        lineOfCentres(s, c, NULL, 0, c->line);
 }
 
 /* ---- later sub-steps ---- */
