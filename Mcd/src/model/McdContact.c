@@ -88,17 +88,22 @@ static double rimOf(const McdContact *c, int side, double axis[3]) {
     return hasRim ? rimOfShape(c, side, ins, axis) : 0;
 }
 
-double MEAPI McdContactGetRim(const McdContact *c, int side, double axis[3]) {
+/* Whether an axis can be given for the arguments; else warns. */
+static MeBool mayGiveAxis(const McdContact *c, int side, const double axis[3], const char *function) {
     if (!c || !axis || side < 0 || side > 1) {
-        MeWarning(1, "McdContactGetRim: %s",
+        MeWarning(1, "%s: %s", function,
                   !c     ? "no contact"
                   : axis ? "side must be 0, for the first model, or 1"
                          : "no place for the axis");
-        return 0;
+        return MEFALSE;
     }
     if ((side == 0 ? c->instance1 : c->instance2) && !instanceOf(c, side))
-        MeWarning(1, "McdContactGetRim: the contact's model has been destroyed");
-    return rimOf(c, side, axis);
+        MeWarning(1, "%s: the contact's model has been destroyed", function);
+    return METRUE;
+}
+
+double MEAPI McdContactGetRim(const McdContact *c, int side, double axis[3]) {
+    return mayGiveAxis(c, side, axis, "McdContactGetRim") ? rimOf(c, side, axis) : 0;
 }
 
 /* Of a triangle, as the test has found it. */
@@ -123,14 +128,7 @@ static MeBool edgeOf(const McdContact *c, int side, double axis[3]) {
 }
 
 MeBool MEAPI McdContactGetEdge(const McdContact *c, int side, double axis[3]) {
-    if (!c || !axis || side < 0 || side > 1) {
-        MeWarning(1, "McdContactGetEdge: %s",
-                  !c     ? "no contact"
-                  : axis ? "side must be 0, for the first model, or 1"
-                         : "no place for the axis");
-        return MEFALSE;
-    }
-    return edgeOf(c, side, axis);
+    return mayGiveAxis(c, side, axis, "McdContactGetEdge") && edgeOf(c, side, axis);
 }
 
 static MeBool isVertex(const McdContact *c, int side) {

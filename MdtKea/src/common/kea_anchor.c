@@ -447,8 +447,8 @@ static MeBool findFaceTurn(const MdtKeaSystem *s, KeaContact *c) {
     return MEFALSE;
 }
 
-/* Whether the line of centres turns: they move rather across it than along it, which a blow stops, and do not pass each
- * other. Not with joints, as vertices. */
+/* Whether the line of centres turns: they move rather across it than along it, which a blow stops. Not with joints, as
+ * vertices. */
 static MeBool doCentresTurn(const MdtKeaSystem *s, const KeaContact *c) {
     double move[2][6], line[3], a[3], moved[3];
     if (!c->hasCentres || kea_isContactTied(s, c))
@@ -458,10 +458,10 @@ static MeBool doCentresTurn(const MdtKeaSystem *s, const KeaContact *c) {
         keaCopy(move[k] + 3, sideVelocityOf(s, c, k)->ang);
     }
     lineOfCentres(s, c, (const double(*)[6])move, 1, line);
-    const double along = turnBetween(c->line, line, a);
+    turnBetween(c->line, line, a);
     keaSubtract(moved, line, c->line);
     const double across = keaLength(a) * keaLength(line);
-    return keaLength(a) > kea_slightTurn && across > fabs(keaDot(moved, c->normal)) && along > kea_minFollowed;
+    return keaLength(a) > kea_slightTurn && across > fabs(keaDot(moved, c->normal));
 }
 
 void kea_contactChooseMotion(const MdtKeaSystem *s, KeaContact *c) {

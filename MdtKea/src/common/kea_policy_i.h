@@ -532,8 +532,6 @@ static const double kea_acrossLine = 0.05;
  * under loads takes no passes for it. With kea_minTurn Mst_Choice fails: a_drum_lands_on_layers_of_cubes_of_a_kilogram.
  */
 static const double kea_slightTurn = 1e-4;
-/* Cosine of the largest turn of a normal within a step, .5 rad: what goes farther passes the other surface by. */
-static const double kea_minFollowed = 0.87758;
 /* Rad, sqrt(2 DBL_EPSILON): half of the square of a smaller angle is lost in rounding beside 1. */
 static const double kea_minTurn = 2.1e-8;
 /* Factor on the change of an approach by one step's own acceleration: a body that fell for just one step must not seem
