@@ -27,10 +27,12 @@ MeBool mcd_meshReserveContacts(McdMesh *mesh, int contacts) {
 
 /* ---- order ------------------------------------------------------------------------------------------------------- */
 
-/* Orders corners of the shape before cut points, then by feature and position: independent of the order of
- * triangles. */
+/* Orders contacts of the shape's face before those of its cap, corners before cut points, then by feature and position:
+ * independent of the order of triangles. */
 static int compareContacts(const McdMesh *mesh, int a, int b) {
     const McdMeshContact *x = &mesh->contact[a], *y = &mesh->contact[b];
+    if (x->isOfCap != y->isOfCap)
+        return x->isOfCap - y->isOfCap;
     if (x->isCut != y->isCut)
         return x->isCut - y->isCut;
     if (x->feature != y->feature)
@@ -158,11 +160,21 @@ static int addLanding(const McdMeshQuery *q, const McdMeshContact *contact, int 
     return keptCount;
 }
 
-/* Keeps those of a plane that support the others, and those that will be needed. */
+/* The number of contacts that are not of the cap. These come first. */
+static int countOfFace(const McdMeshContact *contact, int count) {
+    int n = 0;
+    while (n < count && !contact[n].isOfCap)
+        n++;
+    return n;
+}
+
+/* Keeps those of a plane that support the others, of the shape's face if there are any, and those that will be
+ * needed. */
 static int keepOfPlane(const McdMeshQuery *q, McdMeshContact *contact, int count, int maxCount, double same) {
     McdMesh *mesh = q->mesh;
-    setSpots(mesh, contact, count);
-    const int keptCount = mcd_spread(mesh->spots, count, maxCount, same, mesh->kept);
+    const int ofFace = countOfFace(contact, count), candidates = ofFace ? ofFace : count;
+    setSpots(mesh, contact, candidates);
+    const int keptCount = mcd_spread(mesh->spots, candidates, maxCount, same, mesh->kept);
     return keep(mesh, contact, addLanding(q, contact, count, keptCount));
 }
 
