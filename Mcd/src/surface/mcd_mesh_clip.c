@@ -130,7 +130,7 @@ void mcd_meshAddContact(McdMeshQuery *q, const McdMeshTriangle *t, const double 
     c->feature = mcd_meshHash(feature, quantizedNormal(normal));
     c->element = t->element;
     c->isCut = isCut;
-    c->isOfCap = MEFALSE;
+    c->ofCap = 0;
     c->isOnFace = mcd_meshAreParallel(normal, t->normal);
     mcd_set(c->edge, 0, 0, 0);
     c->isVertex = !isCut && (!mcd_shapeHasRim(&q->shape) || isOnAxis(&q->shape, c));
@@ -154,7 +154,6 @@ MeBool mcd_meshAddPoints(McdMeshQuery *q, const McdMeshTriangle *t, const double
 
 void mcd_meshAddCap(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3]) {
     const double extent = q->shape.extent;
-    const int first = q->mesh->contactCount;
     double back[3], in, out, min = INFINITY;
     McdCap cap;
     mcd_scale(back, normal, -1);
@@ -164,11 +163,10 @@ void mcd_meshAddCap(McdMeshQuery *q, const McdMeshTriangle *t, const double norm
         McdPolygon one; /* only its first point is set */
         one.count = 0;
         appendPoint(&one, cap.point[i], mcd_meshHash((MeU32)cap.corner[i], 1), MEFALSE);
-        if (mcd_meshClipSegment(t, cap.point[i], cap.point[i], MCD_MESH_OVERLAP * extent, &in, &out))
-            mcd_meshAddPoints(q, t, normal, &one, MEFALSE, &min);
+        if (mcd_meshClipSegment(t, cap.point[i], cap.point[i], MCD_MESH_OVERLAP * extent, &in, &out) &&
+            mcd_meshAddPoints(q, t, normal, &one, MEFALSE, &min))
+            q->mesh->contact[q->mesh->contactCount - 1].ofCap = cap.corner[i] + 1;
     }
-    for (int i = first; i < q->mesh->contactCount; i++)
-        q->mesh->contact[i].isOfCap = METRUE;
 }
 
 MeBool mcd_meshAddClipped(McdMeshQuery *q, const McdMeshTriangle *t, const double normal[3], double tolerance) {

@@ -47,10 +47,10 @@ typedef struct McdMeshContact {
     double edge[3];  /* unit, of the edge that it rolls over (mcd_mesh_edge.c); 0: none */
     MeBool isVertex; /* at a vertex of the shape */
     MeBool isOnFace; /* along the triangle's normal */
-    MeBool isOfCap;  /* not of the shape's face, but of a corner that a tilt may bring down */
     MeU32 feature;
     McdElementData element;
     int dims;  /* of its manifold: McdContact.dims */
+    int ofCap; /* 1 + the number of the corner that a tilt may bring down (mcd_cap.c); 0: of the shape's face */
     int isCut; /* made by clipping, not a corner of the shape; of coincident points the corner is kept */
 } McdMeshContact;
 

@@ -27,12 +27,12 @@ MeBool mcd_meshReserveContacts(McdMesh *mesh, int contacts) {
 
 /* ---- order ------------------------------------------------------------------------------------------------------- */
 
-/* Orders contacts of the shape's face before those of its cap, corners before cut points, then by feature and position:
- * independent of the order of triangles. */
+/* Orders contacts of the shape's face before those of its cap, and these by their corners; then corners before cut
+ * points, then by feature and position: independent of the order of triangles. */
 static int compareContacts(const McdMesh *mesh, int a, int b) {
     const McdMeshContact *x = &mesh->contact[a], *y = &mesh->contact[b];
-    if (x->isOfCap != y->isOfCap)
-        return x->isOfCap - y->isOfCap;
+    if (x->ofCap != y->ofCap)
+        return x->ofCap - y->ofCap;
     if (x->isCut != y->isCut)
         return x->isCut - y->isCut;
     if (x->feature != y->feature)
@@ -163,7 +163,7 @@ static int addLanding(const McdMeshQuery *q, const McdMeshContact *contact, int 
 /* The number of contacts that are not of the cap. These come first. */
 static int countOfFace(const McdMeshContact *contact, int count) {
     int n = 0;
-    while (n < count && !contact[n].isOfCap)
+    while (n < count && contact[n].ofCap == 0)
         n++;
     return n;
 }
