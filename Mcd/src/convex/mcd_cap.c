@@ -40,7 +40,30 @@ static MeBool mayComeDown(const double corner[3], const double lowest[3], double
     return height * height <= tilt * tilt * (mcd_distanceSquared(corner, lowest) - height * height);
 }
 
+/* Sets the corners that a tilt may bring down, of them each one whose number the stride divides. False: there is no
+ * room for them. */
+static MeBool collectCap(const McdShape *s, const double down[3], const double lowest[3], double tilt, int stride,
+                         McdCap *cap) {
+    const int corners = countCorners(s);
+    const double far = mcd_dot(lowest, down);
+    double own[3];
+    cap->count = 0;
+    for (int i = 0, found = 0; i < corners; i++) {
+        ownCorner(s, i, own);
+        if (!mayComeDown(own, lowest, far - mcd_dot(own, down), tilt) || found++ % stride != 0)
+            continue;
+        if (cap->count == MCD_CAP_POINTS)
+            return MEFALSE;
+        cap->corner[cap->count] = i;
+        mcd_shapePoint(s, own[0], own[1], own[2], cap->point[cap->count++]);
+    }
+    return METRUE;
+}
+
+/* Of more corners than there is room for those that a smaller tilt brings down: the body comes to them first. Of
+ * corners in one plane every second, fourth, and so on. */
 int mcd_capToward(const McdShape *s, const double direction[3], double tilt, McdCap *cap) {
+    static const double flat = 1e-3; /* rad */
     const int corners = countCorners(s);
     double down[3], lowest[3] = {0, 0, 0}, own[3], far = -INFINITY;
     cap->count = 0;
@@ -53,20 +76,11 @@ int mcd_capToward(const McdShape *s, const double direction[3], double tilt, Mcd
             mcd_copy(lowest, own);
         }
     }
-    /* Of more corners than there is room for every second, fourth, and so on: they lie close together. */
-    for (int stride = 1; cap->count == 0 && corners > 0; stride *= 2) {
-        for (int i = 0, found = 0; i < corners && cap->count <= MCD_CAP_POINTS; i++) {
-            ownCorner(s, i, own);
-            if (!mayComeDown(own, lowest, far - mcd_dot(own, down), tilt) || found++ % stride != 0)
-                continue;
-            if (cap->count < MCD_CAP_POINTS) {
-                cap->corner[cap->count] = i;
-                mcd_shapePoint(s, own[0], own[1], own[2], cap->point[cap->count]);
-            }
-            cap->count++;
-        }
-        if (cap->count > MCD_CAP_POINTS)
-            cap->count = 0;
+    for (int stride = 1; !collectCap(s, down, lowest, tilt, stride, cap);) {
+        if (tilt > flat)
+            tilt *= .75;
+        else
+            stride *= 2;
     }
     MEASSERT(cap->count <= MCD_CAP_POINTS && (cap->count >= 1 || corners == 0));
     return cap->count;
