@@ -373,11 +373,10 @@ static MeBool addSearchedContacts(McdMeshQuery *q, McdMeshTriangle *t) {
     }
     if (isOverGap && addOverGap(q, t, face, shift))
         return METRUE;
-    /* if the normal equals the face's only within the tolerance, its point may be beside the face by as much */
-    if (!isFace || mcd_meshAddClipped(q, t, face, MCD_MESH_SAME_DIRECTION))
-        return METRUE;
-    mcd_copy(m.normal, face);
-    addManifold(q, t, &m);
+    /* If the normal equals the face's only within the tolerance, its point may be beside the face by as much. Where it
+     * is farther away, a shape that curves up from the next triangle of the plane does not touch this one. */
+    if (isFace)
+        mcd_meshAddClipped(q, t, face, MCD_MESH_SAME_DIRECTION);
     return METRUE;
 }
 
