@@ -82,13 +82,15 @@ MeBool mcd_meshClipSegment(const McdMeshTriangle *t, const double from[3], const
 
 /* ---- contacts ---------------------------------------------------------------------------------------------------- */
 
-/* The normal quantized to eighths: part of the feature id, so that contacts of one corner with two faces have
- * different ids. */
-static MeU32 quantizedNormal(const double normal[3]) {
-    MeU32 cell = 0;
+/* The normal in cells of a width: part of the feature id, so that contacts of one corner with two faces have different
+ * ids. Those with facets at a small angle, too: one that carries a load is not the one that the shape comes to. Normals
+ * of edges turn, so that their cells are wider. */
+static MeU32 quantizedNormal(const double normal[3], MeBool isOnFace) {
+    const int cells = isOnFace ? 4096 : 8;
+    MeU32 hash = 0;
     for (int i = 0; i < 3; i++)
-        cell = 32 * cell + (MeU32)mcd_floorBetween(normal[i] * 8 + 8.5, 0, 31);
-    return cell;
+        hash = mcd_meshHash(hash, (MeU32)mcd_floorBetween(normal[i] * cells + cells + .5, 0, 2 * cells + 1));
+    return hash;
 }
 
 /* Only of a program's support function whose points contradict each other. */
@@ -127,11 +129,11 @@ void mcd_meshAddContact(McdMeshQuery *q, const McdMeshTriangle *t, const double 
     mcd_copy(c->normal, normal);
     c->separation = separation;
     c->radius = mcd_surfaceRadius(&q->shape, outward, position);
-    c->feature = mcd_meshHash(feature, quantizedNormal(normal));
+    c->isOnFace = mcd_meshAreParallel(normal, t->normal);
+    c->feature = mcd_meshHash(feature, quantizedNormal(normal, c->isOnFace));
     c->element = t->element;
     c->isCut = isCut;
     c->ofCap = 0;
-    c->isOnFace = mcd_meshAreParallel(normal, t->normal);
     mcd_set(c->edge, 0, 0, 0);
     c->isVertex = !isCut && (!mcd_shapeHasRim(&q->shape) || isOnAxis(&q->shape, c));
 }
