@@ -163,11 +163,13 @@ void mcd_meshAddCap(McdMeshQuery *q, const McdMeshTriangle *t, const double norm
         return;
     for (int i = 0; i < cap.count; i++) {
         McdPolygon one; /* only its first point is set */
+        const int first = q->mesh->contactCount;
         one.count = 0;
         appendPoint(&one, cap.point[i], mcd_meshHash((MeU32)cap.corner[i], 1), MEFALSE);
-        if (mcd_meshClipSegment(t, cap.point[i], cap.point[i], MCD_MESH_OVERLAP * extent, &in, &out) &&
-            mcd_meshAddPoints(q, t, normal, &one, MEFALSE, &min))
-            q->mesh->contact[q->mesh->contactCount - 1].ofCap = cap.corner[i] + 1;
+        if (mcd_meshClipSegment(t, cap.point[i], cap.point[i], MCD_MESH_OVERLAP * extent, &in, &out))
+            mcd_meshAddPoints(q, t, normal, &one, MEFALSE, &min);
+        for (int k = first; k < q->mesh->contactCount; k++)
+            q->mesh->contact[k].ofCap = cap.corner[i] + 1;
     }
 }
 
