@@ -56,25 +56,50 @@ static void tryNormal(const McdShape *a, const McdShape *b, const double n[3], M
     p->separation = s;
 }
 
-/* Contact of two round sides along their generator lines. Tries as normal the cross product of the lines or, if they
- * are parallel, the direction from axis to axis. The searched normal is less exact: the search stops when the depth
- * is exact enough, and the normal's error is the square root of the depth's. */
-static void tryNormalAcrossLines(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
-                                 McdProximity *p, double min) {
-    double u[3], w[3], n[3];
-    mcd_sub(u, faceA->point[1], faceA->point[0]);
-    mcd_sub(w, faceB->point[1], faceB->point[0]);
+/* Contact along two lines, of round sides or edges. Tries as normal the cross product of the lines or, if they are
+ * parallel, the direction between them; `between` joins them. The searched normal is less exact: the search stops when
+ * the depth is exact enough, and the normal's error is the square root of the depth's. */
+static void tryNormalAcrossLines(const McdShape *a, const McdShape *b, const double u[3], const double w[3],
+                                 const double between[3], McdProximity *p, double min) {
     const double squared = mcd_dot(u, u), other = mcd_dot(w, w);
+    double n[3];
     mcd_cross(n, u, w);
-    if (mcd_dot(n, n) < 1e-6 * squared * other) {
-        mcd_sub(n, a->place, b->place);
-        mcd_mad(n, n, -mcd_dot(n, u) / squared, u);
-    }
+    if (mcd_dot(n, n) < 1e-6 * squared * other)
+        mcd_mad(n, between, -mcd_dot(between, u) / squared, u);
     const double length = mcd_length(n);
     if (!(length > 0))
         return;
     mcd_scale(n, n, (mcd_dot(n, p->normal) < 0 ? -1 : 1) / length);
     tryNormal(a, b, n, p, min);
+}
+
+static void tryNormalOfSides(const McdShape *a, const McdShape *b, const McdFace *faceA, const McdFace *faceB,
+                             McdProximity *p, double min) {
+    double u[3], w[3], between[3];
+    mcd_sub(u, faceA->point[1], faceA->point[0]);
+    mcd_sub(w, faceB->point[1], faceB->point[0]);
+    mcd_sub(between, a->place, b->place);
+    tryNormalAcrossLines(a, b, u, w, between, p, min);
+}
+
+/* The corner of a triangle that is not the nearest one to the other shape, nor the second. */
+static int farthestCorner(const McdShape *triangle, const double outward[3]) {
+    int farthest = 0;
+    for (int i = 1; i < 3; i++)
+        if (mcd_dot(triangle->corner[i], outward) < mcd_dot(triangle->corner[farthest], outward))
+            farthest = i;
+    return farthest;
+}
+
+/* Contact of the round side of shape a with an edge of triangle b. */
+static void tryNormalOfEdge(const McdShape *a, const McdShape *b, const McdFace *line, McdProximity *p, double min) {
+    const int other = farthestCorner(b, p->normal);
+    const double *from = b->corner[(other + 1) % 3], *to = b->corner[(other + 2) % 3];
+    double u[3], w[3], between[3];
+    mcd_sub(u, line->point[1], line->point[0]);
+    mcd_sub(w, to, from);
+    mcd_sub(between, a->place, from);
+    tryNormalAcrossLines(a, b, u, w, between, p, min);
 }
 
 /* Replaces the normal by a face's normal if these are equal to within rounding, so that it is constant from step to
@@ -87,11 +112,13 @@ static void preferFaceNormals(const McdShape *a, const McdShape *b, const McdFac
     const int first = faceA->count >= faceB->count; /* a polygon's normal is more exact than a line's */
     double best[3];
     if (faceA->count == 2 && faceB->count == 2) {
-        tryNormalAcrossLines(a, b, faceA, faceB, p, min);
+        tryNormalOfSides(a, b, faceA, faceB, p, min);
         return;
     }
     mcd_copy(best, p->normal);
     tryNormal(a, b, first ? negated : faceB->normal, p, min);
+    if (mcd_distanceSquared(best, p->normal) == 0 && faceA->count == 2 && rankOf(b) == MCD_RANK_TRIANGLE)
+        tryNormalOfEdge(a, b, faceA, p, min);
     if (mcd_distanceSquared(best, p->normal) == 0)
         tryNormal(a, b, first ? faceB->normal : negated, p, min);
     MEASSERT(p->separation >= min);
