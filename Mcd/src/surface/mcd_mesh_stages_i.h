@@ -56,9 +56,9 @@ int mcd_meshFarthestCorners(const McdMeshTriangle *t, const double direction[3])
 /* Finds the contacts with all triangles of the query. */
 void mcd_meshFindContacts(McdMeshQuery *q);
 
-/* ---- motion of a ball during the step (mcd_mesh_sweep.c) ------------------------------------- */
+/* ---- motion of what rolls during the step (mcd_mesh_sweep.c) --------------------------------- */
 
-/* Adapts the contacts of a ball to its motion during the step; other shapes keep theirs. */
+/* Adapts the contacts of a ball, cylinder or sphyl to its motion during the step; other shapes keep theirs. */
 void mcd_meshSweep(McdMeshQuery *q);
 /* Marks contacts of round surfaces that roll over an edge throughout the step (mcd_mesh_edge.c). */
 void mcd_meshMarkEdges(McdMeshQuery *q);

@@ -1,13 +1,13 @@
-/* Contacts of a ball that moves over triangles. Contacts act throughout a step, in which a rolling ball passes from
- * one triangle to the next. The contacts at its start alone would keep it on the first triangle's plane beyond an
- * edge where the surface falls, and let it penetrate the next triangle where the surface rises: both by the
+/* Contacts of a ball, cylinder or sphyl that moves over triangles. Contacts act throughout a step, in which what rolls
+ * passes from one triangle to the next. The contacts at its start alone would keep it on the first triangle's plane
+ * beyond an edge where the surface falls, and let it penetrate the next triangle where the surface rises: both by the
  * displacement times the edge's angle, of first order in the step. So:
  *
- *   - Where the surface falls away below a contact, its normal becomes that of the chord, from the ball's place to
- *     where it touches the surface after its displacement. Motion along the chord ends on the surface, and no work is
- *     done.
- *   - The triangles that a ball, cylinder or sphyl comes down to, one after the other, get contacts ahead of time, with
- *     the current gaps; its path goes on along each. The narrow phase does not find them, since the nearest feature is
+ *   - Where the surface falls away below a contact of a round side, its normal becomes that of the chord, from the
+ *     side's centre to where it touches the surface after its displacement. Motion along the chord ends on the surface,
+ *     and no work is done.
+ *   - The triangles that the shape comes down to, one after the other, get contacts ahead of time, with the current
+ *     gaps; its path goes on along each. The narrow phase does not find them, since the nearest feature is
  *     still the edge between both triangles, which has no admissible normal. A shape that overlaps the surface by d
  *     overlaps the next triangle's plane, too, before it is over that triangle: it moves as over a surface that is
  *     lower by d, and loses a share of d at each triangle. Otherwise it would enter each facet of a bowl by the
@@ -75,14 +75,15 @@ static double distanceToSurface(const McdMeshQuery *q, const double point[3], do
     return sqrt(min);
 }
 
-/* If the surface falls away below the contact: tilts the contact's normal to that of the chord, from the ball's
- * place to where it touches the surface after its displacement. */
+/* If the surface falls away below a round contact: tilts the contact's normal to that of the chord, from the round
+ * side's centre to where it touches the surface after its displacement. */
 static void followSurface(const McdMeshQuery *q, McdMeshContact *c) {
-    double displacement[3], end[3], nearest[3], chord[3], tilted[3];
+    double centre[3], displacement[3], end[3], nearest[3], chord[3], tilted[3];
+    mcd_mad(centre, c->position, c->radius + c->separation / 2, c->normal);
     mcd_mad(displacement, q->displacement, -mcd_dot(q->displacement, c->normal), c->normal);
-    mcd_mad(end, q->shape.place, 1, displacement);
+    mcd_mad(end, centre, 1, displacement);
     const double distance = distanceToSurface(q, end, nearest);
-    const double drop = distance - q->shape.rounding - c->separation;
+    const double drop = distance - c->radius - c->separation;
     if (!isfinite(distance) || !(drop > 1e-9 * q->shape.extent)) /* less is rounding of two distances */
         return;
     mcd_sub(chord, nearest, end);
@@ -90,10 +91,10 @@ static void followSurface(const McdMeshQuery *q, McdMeshContact *c) {
     const double square = mcd_dot(chord, chord);
     mcd_mad(tilted, c->normal, square > 0 ? -mcd_dot(c->normal, chord) / square : 0, chord);
     const double length = mcd_length(tilted);
-    if (!(length > MCD_MESH_RISES)) /* the chord is along the normal: the ball does not move on */
+    if (!(length > MCD_MESH_RISES)) /* the chord is along the normal: the shape does not move on */
         return;
     mcd_scale(c->normal, tilted, 1 / length);
-    mcd_mad(c->position, q->shape.place, -(q->shape.rounding + c->separation / 2), c->normal);
+    mcd_mad(c->position, centre, -(c->radius + c->separation / 2), c->normal);
 }
 
 static MeBool hasContactAlong(const McdMesh *mesh, const double normal[3]) {
@@ -222,7 +223,7 @@ void mcd_meshSweep(McdMeshQuery *q) {
     if (!isRound(&q->shape) || mcd_dot(q->displacement, q->displacement) == 0 || found == 0)
         return;
     followPath(q);
-    for (int i = 0; i < found && q->shape.kind->rank == MCD_RANK_SPHERE; i++)
-        if (mcd_dot(q->mesh->contact[i].edge, q->mesh->contact[i].edge) == 0)
+    for (int i = 0; i < found; i++)
+        if (q->mesh->contact[i].radius > 0 && mcd_dot(q->mesh->contact[i].edge, q->mesh->contact[i].edge) == 0)
             followSurface(q, &q->mesh->contact[i]);
 }
