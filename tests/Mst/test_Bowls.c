@@ -91,6 +91,15 @@ static void follow(Path *p, double inertia, double rate) {
     p->left = energyOf(p) / p->start;
 }
 
+/* Of the radius squared: the moment about the axis along which it rolls, over the mass. */
+static double inertiaOf(const Path *p, int shape, double r) {
+    const MdtBodyID body = McdModelGetBody(p->body);
+    const int axis = shape == BALL ? 1 : 2;
+    MeMatrix3 tensor;
+    MdtBodyGetInertiaTensor(body, tensor);
+    return (double)tensor[axis][axis] / ((double)MdtBodyGetMass(body) * r * r);
+}
+
 static Path rollInPipe(int shape, double r, int n, double friction, double rate) {
     const double angle = .8;
     Path p = {.swing = 7 * r};
@@ -103,7 +112,7 @@ static Path rollInPipe(int shape, double r, int n, double friction, double rate)
     McdModelDynamicsSetPosition(p.body, (MeReal)(p.swing * sin(angle)), 0, (MeReal)(.004 * r - p.swing * cos(angle)));
     if (shape != BALL)
         McdModelDynamicsSetQuaternion(p.body, (MeReal)sqrt(.5), (MeReal)sqrt(.5), 0, 0);
-    follow(&p, friction > 0 ? .4 : 0, rate);
+    follow(&p, friction > 0 ? inertiaOf(&p, shape, r) : 0, rate);
     return p;
 }
 
@@ -148,6 +157,20 @@ TEST(a_ball_in_a_pipe_loses_what_facets_take) {
         assertLeft("sliding ball", &many, .4, 200, rate, .5748, share);
         assertLeft("rolling ball", &rough, .4, 64, rate, .3384, share);
         assertLeft("rolling ball", &fine, .4, 200, rate, .6640, share);
+    }
+}
+
+/* Kept .2 to .6, by chance: contacts at the diagonals of facets turned them aside, and of those on facets at a small
+ * angle to each other the next one took the load of the last. */
+TEST(cylinders_and_capsules_in_a_pipe_lose_what_facets_take) {
+    static const double radii[] = {.4, .1}, rates[] = {60, 120, 240}, left[2][2] = {{.3581, .3470}, {.6809, .6716}};
+    for (int i = 0; i < 3 * 2 * 2; i++) {
+        const double r = radii[i % 2], rate = rates[i / 2 % 3];
+        const int n = i / 6 ? 200 : 64;
+        for (int shape = CYLINDER; shape < SHAPES; shape++) {
+            const Path p = rollInPipe(shape, r, n, 2, rate);
+            assertLeft(shape == CYLINDER ? "cylinder" : "capsule", &p, r, n, rate, left[i / 6][shape == CAPSULE], .02);
+        }
     }
 }
 
