@@ -1,5 +1,5 @@
-/* Hulls with many facets that rock on flat ground: half cylinders, on a plane and on triangles. What lies in one plane is
- * the same ground, whatever it is made of. */
+/* Hulls with many facets that rock on flat ground: half cylinders, on a plane and on triangles. What lies in one plane
+ * is the same ground, whatever it is made of. */
 #include "universe.h"
 
 #include <math.h>

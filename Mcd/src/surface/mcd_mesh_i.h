@@ -43,10 +43,12 @@ static inline double mcd_triangleHigh(const McdMeshTriangle *t, int i) {
 
 typedef struct McdMeshContact {
     double position[3], normal[3], separation;
-    double radius;   /* mcd_surfaceRadius of the shape there */
-    double edge[3];  /* unit, of the edge that it rolls over (mcd_mesh_edge.c); 0: none */
-    MeBool isVertex; /* at a vertex of the shape */
-    MeBool isOnFace; /* along the triangle's normal */
+    double radius;        /* mcd_surfaceRadius of the shape there */
+    double edge[3];       /* unit, of the edge that it rolls over (mcd_mesh_edge.c); 0: none */
+    double ahead[3];      /* m: the displacement of the round side along the surface (mcd_mesh_sweep.c) */
+    double drop, down[3]; /* m: by how much the surface falls away below it then; the direction to where it is */
+    MeBool isVertex;      /* at a vertex of the shape */
+    MeBool isOnFace;      /* along the triangle's normal */
     MeU32 feature;
     McdElementData element;
     int dims;  /* of its manifold: McdContact.dims */

@@ -75,19 +75,50 @@ static double distanceToSurface(const McdMeshQuery *q, const double point[3], do
     return sqrt(min);
 }
 
+/* Finds by how much the surface falls away below a round contact, and where to: from the round side's centre after its
+ * displacement to the nearest point of the surface. */
+static void findDrop(const McdMeshQuery *q, McdMeshContact *c) {
+    double centre[3], end[3], nearest[3];
+    mcd_mad(centre, c->position, c->radius + c->separation / 2, c->normal);
+    mcd_mad(end, centre, 1, c->ahead);
+    const double distance = distanceToSurface(q, end, nearest);
+    mcd_sub(c->down, nearest, end);
+    mcd_scale(c->down, c->down, distance > 0 ? 1 / distance : 0);
+    c->drop = isfinite(distance) ? distance - c->radius - c->separation : 0;
+}
+
+/* The displacement of a contact's round side along the surface. A side touches with other points of its own where it
+ * moves along its axis. */
+static void findAhead(const McdMeshQuery *q, McdMeshContact *c) {
+    mcd_mad(c->ahead, q->displacement, -mcd_dot(q->displacement, c->normal), c->normal);
+    if (q->shape.kind->rank != MCD_RANK_SPHERE)
+        mcd_mad(c->ahead, c->ahead, -mcd_dot(c->ahead, q->shape.axis[2]), q->shape.axis[2]);
+}
+
+/* A line stays on the surface as long as one of its ends does. Where it crosses an edge it has one contact, and goes on
+ * along the edge. */
+static void limitDrop(const McdMeshQuery *q, int i, int found) {
+    McdMeshContact *c = &q->mesh->contact[i];
+    int count = 0;
+    for (int k = 0; k < found; k++) {
+        const McdMeshContact *other = &q->mesh->contact[k];
+        if (!mcd_meshAreParallel(other->normal, c->normal))
+            continue;
+        c->drop = fmin(c->drop, other->drop);
+        count++;
+    }
+    if (count == 1 && !c->isOnFace && q->shape.kind->rank != MCD_RANK_SPHERE)
+        c->drop = 0;
+}
+
 /* If the surface falls away below a round contact: tilts the contact's normal to that of the chord, from the round
  * side's centre to where it touches the surface after its displacement. */
 static void followSurface(const McdMeshQuery *q, McdMeshContact *c) {
-    double centre[3], displacement[3], end[3], nearest[3], chord[3], tilted[3];
-    mcd_mad(centre, c->position, c->radius + c->separation / 2, c->normal);
-    mcd_mad(displacement, q->displacement, -mcd_dot(q->displacement, c->normal), c->normal);
-    mcd_mad(end, centre, 1, displacement);
-    const double distance = distanceToSurface(q, end, nearest);
-    const double drop = distance - c->radius - c->separation;
-    if (!isfinite(distance) || !(drop > 1e-9 * q->shape.extent)) /* less is rounding of two distances */
+    double centre[3], chord[3], tilted[3];
+    if (!(c->drop > 1e-9 * q->shape.extent)) /* less is rounding of two distances */
         return;
-    mcd_sub(chord, nearest, end);
-    mcd_mad(chord, displacement, drop / distance, chord);
+    mcd_mad(centre, c->position, c->radius + c->separation / 2, c->normal);
+    mcd_mad(chord, c->ahead, c->drop, c->down);
     const double square = mcd_dot(chord, chord);
     mcd_mad(tilted, c->normal, square > 0 ? -mcd_dot(c->normal, chord) / square : 0, chord);
     const double length = mcd_length(tilted);
@@ -95,6 +126,23 @@ static void followSurface(const McdMeshQuery *q, McdMeshContact *c) {
         return;
     mcd_scale(c->normal, tilted, 1 / length);
     mcd_mad(c->position, centre, -(c->radius + c->separation / 2), c->normal);
+}
+
+/* Lets the found contacts of round sides follow the surface where it falls away, but for those that roll over an edge
+ * throughout the step. */
+static void followFalls(McdMeshQuery *q, int found) {
+    for (int i = 0; i < found; i++) {
+        McdMeshContact *c = &q->mesh->contact[i];
+        c->drop = 0;
+        if (!(c->radius > 0) || mcd_dot(c->edge, c->edge) > 0)
+            continue;
+        findAhead(q, c);
+        findDrop(q, c);
+    }
+    for (int i = 0; i < found; i++)
+        limitDrop(q, i, found);
+    for (int i = 0; i < found; i++)
+        followSurface(q, &q->mesh->contact[i]);
 }
 
 static MeBool hasContactAlong(const McdMesh *mesh, const double normal[3]) {
@@ -223,7 +271,5 @@ void mcd_meshSweep(McdMeshQuery *q) {
     if (!isRound(&q->shape) || mcd_dot(q->displacement, q->displacement) == 0 || found == 0)
         return;
     followPath(q);
-    for (int i = 0; i < found; i++)
-        if (q->mesh->contact[i].radius > 0 && mcd_dot(q->mesh->contact[i].edge, q->mesh->contact[i].edge) == 0)
-            followSurface(q, &q->mesh->contact[i]);
+    followFalls(q, found);
 }
