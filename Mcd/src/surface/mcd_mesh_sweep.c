@@ -87,35 +87,38 @@ static void findDrop(const McdMeshQuery *q, McdMeshContact *c) {
     c->drop = isfinite(distance) ? distance - c->radius - c->separation : 0;
 }
 
-/* The displacement of a contact's round side along the surface. A side touches with other points of its own where it
- * moves along its axis. */
+/* The displacement of a contact's round side along the surface; of a line across it, since it touches with other points
+ * of its own where it moves along itself. */
 static void findAhead(const McdMeshQuery *q, McdMeshContact *c) {
-    mcd_mad(c->ahead, q->displacement, -mcd_dot(q->displacement, c->normal), c->normal);
-    if (q->shape.kind->rank != MCD_RANK_SPHERE)
-        mcd_mad(c->ahead, c->ahead, -mcd_dot(c->ahead, q->shape.axis[2]), q->shape.axis[2]);
+    double across[3];
+    mcd_cross(across, c->normal, q->shape.axis[2]);
+    const double square = mcd_dot(across, across);
+    if (q->shape.kind->rank == MCD_RANK_SPHERE)
+        mcd_mad(c->ahead, q->displacement, -mcd_dot(q->displacement, c->normal), c->normal);
+    else
+        mcd_scale(c->ahead, across, square > 0 ? mcd_dot(q->displacement, across) / square : 0);
 }
 
-/* A line stays on the surface as long as one of its ends does. Where it crosses an edge it has one contact, and goes on
- * along the edge. */
-static void limitDrop(const McdMeshQuery *q, int i, int found) {
-    McdMeshContact *c = &q->mesh->contact[i];
-    int count = 0;
-    for (int k = 0; k < found; k++) {
-        const McdMeshContact *other = &q->mesh->contact[k];
-        if (!mcd_meshAreParallel(other->normal, c->normal))
-            continue;
-        c->drop = fmin(c->drop, other->drop);
-        count++;
+/* Whether the surface falls evenly below a line of contact, beyond an edge along it: then all of the line falls. Beyond
+ * an edge that crosses it the line stays up with its other end, or goes on along the edge. */
+static MeBool fallsEvenly(const McdMesh *mesh, int found) {
+    static const double even = .1;
+    double low = INFINITY, high = 0;
+    for (int i = 0; i < found; i++) {
+        const McdMeshContact *c = &mesh->contact[i];
+        if (!mcd_meshAreParallel(c->normal, mesh->contact[0].normal))
+            return MEFALSE;
+        low = fmin(low, c->drop);
+        high = fmax(high, c->drop);
     }
-    if (count == 1 && !c->isOnFace && q->shape.kind->rank != MCD_RANK_SPHERE)
-        c->drop = 0;
+    return found > 1 && high - low <= even * high;
 }
 
 /* If the surface falls away below a round contact: tilts the contact's normal to that of the chord, from the round
  * side's centre to where it touches the surface after its displacement. */
-static void followSurface(const McdMeshQuery *q, McdMeshContact *c) {
+static void followSurface(double slack, McdMeshContact *c) {
     double centre[3], chord[3], tilted[3];
-    if (!(c->drop > 1e-9 * q->shape.extent)) /* less is rounding of two distances */
+    if (!(c->drop > slack) || c->drop * c->drop >= mcd_dot(c->ahead, c->ahead)) /* or it falls, rather than moves on */
         return;
     mcd_mad(centre, c->position, c->radius + c->separation / 2, c->normal);
     mcd_mad(chord, c->ahead, c->drop, c->down);
@@ -131,6 +134,9 @@ static void followSurface(const McdMeshQuery *q, McdMeshContact *c) {
 /* Lets the found contacts of round sides follow the surface where it falls away, but for those that roll over an edge
  * throughout the step. */
 static void followFalls(McdMeshQuery *q, int found) {
+    /* relative to the extent: the errors of a drop, of closed forms, and of searched contacts */
+    static const double rounding = 1e-9, inexact = 1e-6;
+    const MeBool isBall = q->shape.kind->rank == MCD_RANK_SPHERE;
     for (int i = 0; i < found; i++) {
         McdMeshContact *c = &q->mesh->contact[i];
         c->drop = 0;
@@ -139,10 +145,10 @@ static void followFalls(McdMeshQuery *q, int found) {
         findAhead(q, c);
         findDrop(q, c);
     }
+    if (!isBall && !fallsEvenly(q->mesh, found))
+        return;
     for (int i = 0; i < found; i++)
-        limitDrop(q, i, found);
-    for (int i = 0; i < found; i++)
-        followSurface(q, &q->mesh->contact[i]);
+        followSurface((isBall ? rounding : inexact) * q->shape.extent, &q->mesh->contact[i]);
 }
 
 static MeBool hasContactAlong(const McdMesh *mesh, const double normal[3]) {
