@@ -91,14 +91,17 @@ static int farthestCorner(const McdShape *triangle, const double outward[3]) {
     return farthest;
 }
 
-/* Contact of the round side of shape a with an edge of triangle b. */
+/* Contact of the round side of shape a with an edge of triangle b. If both are parallel, but for rounding, the direction
+ * is that to the edge beside the side's middle. */
 static void tryNormalOfEdge(const McdShape *a, const McdShape *b, const McdFace *line, McdProximity *p, double min) {
     const int other = farthestCorner(b, p->normal);
     const double *from = b->corner[(other + 1) % 3], *to = b->corner[(other + 2) % 3];
-    double u[3], w[3], between[3];
+    double u[3], w[3], beside[3], between[3];
     mcd_sub(u, line->point[1], line->point[0]);
     mcd_sub(w, to, from);
-    mcd_sub(between, a->place, from);
+    const double square = mcd_dot(w, w), along = mcd_heightOver(a->place, from, w);
+    mcd_mad(beside, from, square > 0 ? MeCLAMP(along / square, 0, 1) : 0, w);
+    mcd_sub(between, a->place, beside);
     tryNormalAcrossLines(a, b, u, w, between, p, min);
 }
 

@@ -3,6 +3,10 @@
  * its normal, or that of the chord (mcd_mesh_sweep.c). */
 #include "surface/mcd_mesh_stages_i.h"
 
+/* Relative to the extent: within this distance of an edge a contact is on it. Its normal, which is no face's, says that
+ * it is on some edge; the search for it ends at less than that. */
+static const double onEdge = 1e-5;
+
 /* Side i of a triangle. */
 static void directionOf(const McdMeshTriangle *t, int i, double along[3]) {
     mcd_sub(along, t->corner[(i + 1) % 3], t->corner[i]);
@@ -50,6 +54,6 @@ void mcd_meshMarkEdges(McdMeshQuery *q) {
         mcd_mad(point, c->position, -c->separation / 2, c->normal);
         mcd_mad(centre, point, c->radius + c->separation, c->normal);
         mcd_mad(centre, centre, 1, q->displacement);
-        findEdge(q->mesh, point, c->normal, centre, MCD_MESH_OVERLAP * q->shape.extent, c->edge);
+        findEdge(q->mesh, point, c->normal, centre, onEdge * q->shape.extent, c->edge);
     }
 }
