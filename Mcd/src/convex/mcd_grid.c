@@ -91,8 +91,8 @@ static int farthestCorner(const McdShape *triangle, const double outward[3]) {
     return farthest;
 }
 
-/* Contact of the round side of shape a with an edge of triangle b. If both are parallel, but for rounding, the direction
- * is that to the edge beside the side's middle. */
+/* Contact of the round side of shape a with an edge of triangle b. If both are parallel, but for rounding, the
+ * direction is that to the edge beside the side's middle. */
 static void tryNormalOfEdge(const McdShape *a, const McdShape *b, const McdFace *line, McdProximity *p, double min) {
     const int other = farthestCorner(b, p->normal);
     const double *from = b->corner[(other + 1) % 3], *to = b->corner[(other + 2) % 3];
