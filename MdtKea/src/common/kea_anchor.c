@@ -37,6 +37,19 @@ static const MdtKeaVelocity *sideVelocityOf(const MdtKeaSystem *s, const KeaCont
     return kea_sideVelocity(s, c->manifold, k);
 }
 
+void kea_armsTo(const MdtKeaSystem *s, const MdtKeaManifold *m, const double point[3], double arm[2][3]) {
+    MdtKeaTransformation memory;
+    for (int k = 0; k < 2; k++)
+        keaSubtract(arm[k], point, kea_sidePose(s, m, k, &memory)->pos);
+}
+
+MeBool kea_isManifoldTied(const MdtKeaSystem *s, const MdtKeaManifold *m) {
+    for (int k = 0; k < 2; k++)
+        if (m->body[k] >= 0 && s->work->body[m->body[k]].isTied)
+            return METRUE;
+    return MEFALSE;
+}
+
 static MeBool isWorld(const KeaContact *c, int k) {
     return c->manifold->body[k] < 0;
 }
@@ -405,30 +418,17 @@ static void turnArms(const MdtKeaSystem *s, const KeaContact *c, double share, d
     }
 }
 
-MeBool kea_isContactTied(const MdtKeaSystem *s, const KeaContact *c) {
-    for (int k = 0; k < 2; k++)
-        if (!isWorld(c, k) && s->work->body[c->manifold->body[k]].isTied)
-            return METRUE;
-    return MEFALSE;
-}
-
 /* Whether vertices move with their bodies: these rotate relative to each other, and no joint constrains them. With
  * joints, passes under heavy loads would not converge, and contacts are of first order anyway, as they are met by
  * θ = 1. */
 static MeBool doVerticesMove(const MdtKeaSystem *s, const KeaContact *c) {
     double relative[3];
     keaSubtract(relative, sideVelocityOf(s, c, 0)->ang, sideVelocityOf(s, c, 1)->ang);
-    return !kea_isContactTied(s, c) && s->parameters.stepsize * keaLength(relative) > kea_minTurn;
+    return !kea_isManifoldTied(s, c->manifold) && s->parameters.stepsize * keaLength(relative) > kea_minTurn;
 }
 
 static MeBool hasOwner(const KeaContact *c) {
     return isOwner(c, 0) || isOwner(c, 1);
-}
-
-static void setArms(const MdtKeaSystem *s, KeaContact *c) {
-    MdtKeaTransformation memory;
-    for (int k = 0; k < 2; k++)
-        keaSubtract(c->arm[k], c->point, poseOf(s, c, k, &memory)->pos);
 }
 
 /* Finds the rotation of the face on which a contact lies, if it is a mover's: a round side or a vertex has no face.
@@ -451,7 +451,7 @@ static MeBool findFaceTurn(const MdtKeaSystem *s, KeaContact *c) {
  * vertices. */
 static MeBool doCentresTurn(const MdtKeaSystem *s, const KeaContact *c) {
     double move[2][6], line[3], a[3], moved[3];
-    if (!c->hasCentres || kea_isContactTied(s, c))
+    if (!c->hasCentres || kea_isManifoldTied(s, c->manifold))
         return MEFALSE;
     for (int k = 0; k < 2; k++) {
         keaCopy(move[k], sideVelocityOf(s, c, k)->lin);
@@ -477,7 +477,7 @@ void kea_contactChooseMotion(const MdtKeaSystem *s, KeaContact *c) {
 
 void kea_contactPlaceAtStart(const MdtKeaSystem *s, KeaContact *c) {
     setAnchors(s, c);
-    setArms(s, c);
+    kea_armsTo(s, c->manifold, c->point, c->arm);
 }
 
 void kea_contactPlace(const MdtKeaSystem *s, KeaContact *c) {
@@ -485,7 +485,7 @@ void kea_contactPlace(const MdtKeaSystem *s, KeaContact *c) {
         moveWithBodies(s, c);
     else
         setAnchors(s, c);
-    setArms(s, c);
+    kea_armsTo(s, c->manifold, c->point, c->arm);
 }
 
 void kea_contactArms(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6], double share,

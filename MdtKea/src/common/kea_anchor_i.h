@@ -38,10 +38,12 @@ const MdtKeaTransformation *kea_sidePose(const MdtKeaSystem *s, const MdtKeaMani
                                          MdtKeaTransformation *memory);
 /* The velocity of side k of a manifold at the start of the sub-step, at the origin of kea_sidePose. */
 const MdtKeaVelocity *kea_sideVelocity(const MdtKeaSystem *s, const MdtKeaManifold *m, int k);
+/* m: the arms of a manifold from the origins of kea_sidePose to a point. */
+void kea_armsTo(const MdtKeaSystem *s, const MdtKeaManifold *m, const double point[3], double arm[2][3]);
+/* Whether a joint constrains a body of the manifold (kea_markTied). */
+MeBool kea_isManifoldTied(const MdtKeaSystem *s, const MdtKeaManifold *m);
 /* Sets position, depth, arms and their motion at the start of the sub-step. */
 void kea_contactPlace(const MdtKeaSystem *s, KeaContact *c);
-/* Whether a joint constrains a body of the contact (kea_markTied). */
-MeBool kea_isContactTied(const MdtKeaSystem *s, const KeaContact *c);
 /* Sets how the point moves within the sub-step: isVertex, turn, moves. After the place, and the rows of joints. */
 void kea_contactChooseMotion(const MdtKeaSystem *s, KeaContact *c);
 /* m: lever arms after a share of the sub-step: 1 is its end, 1/2 the mean of start and end. `move`: the velocities with

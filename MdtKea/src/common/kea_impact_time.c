@@ -52,10 +52,7 @@ static double timeOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const 
     double arm[2][3];
     if (!(-point->depth > touching * kea_smallerExtent(s, m->body)))
         return HUGE_VAL;
-    for (int k = 0; k < 2; k++) {
-        MdtKeaTransformation memory;
-        keaSubtract(arm[k], point->position, kea_sidePose(s, m, k, &memory)->pos);
-    }
+    kea_armsTo(s, m, point->position, arm);
     const KeaApproach a = kea_approachOfPoint(s, m, (const double(*)[3])arm);
     double acceleration = accelerationOf(s, m, &a, (const double(*)[3])arm);
     if (0.5 * h * fabs(acceleration) > fabs(a.rate) + kea_loadSpeed(s))

@@ -73,13 +73,6 @@ static size_t layOut(const MdtKeaSystem *s, Reflections *r, int numPoints, char 
     return arena.used;
 }
 
-static MeBool isTied(const MdtKeaSystem *s, const MdtKeaManifold *m) {
-    for (int k = 0; k < 2; k++)
-        if (m->body[k] >= 0 && s->work->body[m->body[k]].isTied)
-            return METRUE;
-    return MEFALSE;
-}
-
 /* m/s: the rate of body k of a point along d, whose angular part is arm x d. */
 static double rateOfBody(const Reflections *r, const Face *f, const Point *p, int k, const double d[3]) {
     const MdtKeaVelocity *v = kea_sideVelocity(r->s, f->manifold, k);
@@ -134,15 +127,9 @@ static void setPoint(const Reflections *r, const Face *f, Point *p) {
 /* Sets place and gap of the point, which the exact solver has measured. */
 static void placePoint(const Reflections *r, const MdtKeaManifold *m, MdtKeaPoint *at, const KeaContact *measured,
                        Point *p) {
-    MdtKeaTransformation memory;
     p->at = at;
     p->gap = -(measured ? measured->depth : at->depth);
-    for (int k = 0; k < 2; k++) {
-        if (measured)
-            keaCopy(p->arm[k], measured->arm[k]);
-        else
-            keaSubtract(p->arm[k], at->position, kea_sidePose(r->s, m, k, &memory)->pos);
-    }
+    kea_armsTo(r->s, m, measured ? measured->point : at->position, p->arm);
 }
 
 /* Adds a manifold whose contacts bounce; measured: contacts of its points, null in the fast solver. */
@@ -167,7 +154,7 @@ static void addFaces(Reflections *r) {
     const MeBool isMeasured = s->parameters.solver != MdtKeaSolverFast;
     for (int i = 0, contact = 0; i < s->numManifolds; contact += s->manifolds[i++].numPoints) {
         MdtKeaManifold *m = &s->manifolds[i];
-        if (m->surface.restitution > 0 && !isTied(s, m))
+        if (m->surface.restitution > 0 && !kea_isManifoldTied(s, m))
             addFace(r, m, isMeasured ? &s->work->contact[contact] : NULL);
     }
 }

@@ -45,11 +45,11 @@ void kea_contactChooseRows(const MdtKeaSystem *s, KeaContact *c) {
 }
 
 static MeBool isPointLocked(const MdtKeaSystem *s, const MdtKeaManifold *m, int k) {
-    MdtKeaTransformation memory;
     double arm[2][3];
-    for (int side = 0; side < 2 && s->work->hasLocks; side++)
-        keaSubtract(arm[side], m->point[k].position, kea_sidePose(s, m, side, &memory)->pos);
-    return s->work->hasLocks && kea_isContactLocked(s, m, (const double(*)[3])arm);
+    if (!s->work->hasLocks)
+        return MEFALSE;
+    kea_armsTo(s, m, m->point[k].position, arm);
+    return kea_isContactLocked(s, m, (const double(*)[3])arm);
 }
 
 static int countRowsOfManifolds(MdtKeaSystem *s) {
@@ -263,7 +263,7 @@ MeBool kea_moveContacts(MdtKeaSystem *s, MeBool isFirst) {
     for (int i = 0; i < s->work->numContacts; i++) {
         const KeaContact *c = &s->work->contact[i];
         double move[2][6] = {{0}};
-        if (!c->moves || c->at->numRows == 0 || (!isFirst && kea_isContactTied(s, c)))
+        if (!c->moves || c->at->numRows == 0 || (!isFirst && kea_isManifoldTied(s, c->manifold)))
             continue;
         for (int k = 0; k < 2; k++)
             if (c->manifold->body[k] >= 0)

@@ -112,10 +112,8 @@ static MeBool isSoft(const MdtKeaSystem *s, const MdtKeaManifold *m) {
 }
 
 static KeaApproach approachOf(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *point) {
-    MdtKeaTransformation memory;
     double arm[2][3];
-    for (int k = 0; k < 2; k++)
-        keaSubtract(arm[k], point->position, kea_sidePose(s, m, k, &memory)->pos);
+    kea_armsTo(s, m, point->position, arm);
     return kea_approachOfPoint(s, m, (const double(*)[3])arm);
 }
 
