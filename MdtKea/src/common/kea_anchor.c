@@ -174,7 +174,7 @@ static double turnBetween(const double from[3], const double to[3], double a[3])
 /* Turns d by that rotation, d + a x d + a x (a x d) / (1 + u·v). False: the centres have passed each other. */
 static MeBool turnAlong(const double a[3], double along, double d[3]) {
     double once[3], twice[3];
-    if (!(along > kea_minAcross))
+    if (!(along > 0))
         return MEFALSE;
     keaCross(once, a, d);
     keaCross(twice, a, once);
@@ -237,7 +237,7 @@ static double circleOf(const MdtKeaSystem *s, const KeaContact *c, int k) {
  */
 static MeBool isLine(const KeaContact *c, int k) {
     const double *axis = c->manifold->axis[k];
-    return keaDot(axis, axis) > 0 && fabs(keaDot(axis, c->normal)) < kea_acrossLine;
+    return keaDot(axis, axis) > 0 && fabs(keaDot(axis, c->normal)) < kea_lineCosine;
 }
 
 static void setAnchors(const MdtKeaSystem *s, KeaContact *c) {
@@ -461,7 +461,7 @@ static MeBool doCentresTurn(const MdtKeaSystem *s, const KeaContact *c) {
     turnBetween(c->line, line, a);
     keaSubtract(moved, line, c->line);
     const double across = keaLength(a) * keaLength(line);
-    return keaLength(a) > kea_slightTurn && across > fabs(keaDot(moved, c->normal));
+    return keaLength(a) > kea_minNormalTurn && across > fabs(keaDot(moved, c->normal));
 }
 
 void kea_contactChooseMotion(const MdtKeaSystem *s, KeaContact *c) {

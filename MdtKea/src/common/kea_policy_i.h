@@ -287,9 +287,6 @@ static const double kea_maxAsserted = 1e20;
 /* m/s, rad/s: a pass with a larger change has diverged. Up to it, the squares of the change and of the distances that
  * it leads to fit a double; no real motion comes near. */
 static const double kea_largestChange = 1e100;
-/* Smallest length of what is left of a unit direction after its part along the normal is subtracted. A shorter
- * remainder consists of rounding, and is not orthogonal to the normal within kea_unitRounding. */
-static const double kea_minAcross = 1e-6;
 
 /* ---- contacts in time ---- */
 
@@ -525,13 +522,13 @@ static const double kea_unitRounding = 1e-5;
 /* Distance, relative to a ball's radius, of its centre from its body's centre of mass, up to which it does not move
  * when the body turns. Collision gives normals and radii in MeReal, and so this centre to some 1e-7 of the radius. */
 static const double kea_centredBall = 1e-6;
-/* Cosine of the smallest angle between the normal and the axis of a surface that is round about it: of a cylinder that
- * lies on its side, as in collision. */
-static const double kea_acrossLine = 0.05;
+/* Cosine of the angle between the normal and the axis of a surface that is round about it, up to which it touches along
+ * a line: of a cylinder that lies on its side, as in collision (segmentSine, mcd_face.c). */
+static const double kea_lineCosine = 0.05;
 /* Rad: a normal that turns less within a step counts as constant, with an error of its square: what rests or wobbles
  * under loads takes no passes for it. With kea_minTurn Mst_Choice fails: a_drum_lands_on_layers_of_cubes_of_a_kilogram.
  */
-static const double kea_slightTurn = 1e-4;
+static const double kea_minNormalTurn = 1e-4;
 /* Rad, sqrt(2 DBL_EPSILON): half of the square of a smaller angle is lost in rounding beside 1. */
 static const double kea_minTurn = 2.1e-8;
 /* Factor on the change of an approach by one step's own acceleration: a body that fell for just one step must not seem

@@ -65,7 +65,7 @@ static double faceTurningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, co
 
 /* m: the radius of curvature of a side; negative: none, or of a rim that is not at right angles to the normal. */
 static double radiusOfSide(const MdtKeaSystem *s, const MdtKeaManifold *m, int k) {
-    const MeBool isAcross = fabs(keaDot(m->axis[k], m->normal)) < kea_acrossLine;
+    const MeBool isAcross = fabs(keaDot(m->axis[k], m->normal)) < kea_lineCosine;
     if (m->body[k] >= 0 && s->work->body[m->body[k]].isTied)
         return -1;
     if (m->rim[k] > 0)
