@@ -183,16 +183,35 @@ static MeBool turnAlong(const double a[3], double along, double d[3]) {
     return METRUE;
 }
 
-/* Whether a side has a centre of curvature: it is round, a vertex, or an edge. A rim that is not at right angles to the
- * normal has none. */
-static MeBool hasCentre(const KeaContact *c, int k) {
-    return c->isLine[k] || (!(c->circle[k] > 0) && (c->manifold->radius[k] > 0 || c->at->isVertex[k]));
+/* m: the radius of the circle that touches; 0 if its axis may become parallel to the normal within the sub-step. A
+ * circle that lies flat has no farthest point, and close to that the farthest point moves far along the circle. */
+static double circleOf(const MdtKeaSystem *s, const MdtKeaManifold *m, int k) {
+    double aside[3], turn[3];
+    if (!(m->rim[k] > 0))
+        return 0;
+    keaCross(aside, m->axis[k], m->normal);
+    keaCross(turn, m->axis[k], kea_sideVelocity(s, m, k)->ang);
+    return keaLength(aside) > s->parameters.stepsize * keaLength(turn) ? m->rim[k] : 0;
 }
 
-/* Whether the normal is the line of the centres of curvature of both sides. */
-static MeBool haveCentres(const KeaContact *c) {
-    const double *radius = c->manifold->radius;
-    return hasCentre(c, 0) && hasCentre(c, 1) && radius[0] + radius[1] + c->circle[0] + c->circle[1] > 0;
+/* Whether the surface is round about a line at right angles to the normal: the side of a cylinder or capsule, an edge.
+ */
+static MeBool isLine(const MdtKeaManifold *m, int k) {
+    return keaDot(m->axis[k], m->axis[k]) > 0 && fabs(keaDot(m->axis[k], m->normal)) < kea_lineCosine;
+}
+
+/* m: the radius of curvature of a side; negative: it has no centre, as a face, or a rim that is not at right angles to
+ * the normal. */
+static double centreRadius(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *at, int k) {
+    if (m->rim[k] > 0)
+        return isLine(m, k) && circleOf(s, m, k) > 0 ? m->rim[k] : -1;
+    return m->radius[k] > 0 || at->isVertex[k] || isLine(m, k) ? m->radius[k] : -1;
+}
+
+MeBool kea_centreRadii(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *at, double radius[2]) {
+    for (int k = 0; k < 2; k++)
+        radius[k] = centreRadius(s, m, at, k);
+    return radius[0] >= 0 && radius[1] >= 0 && radius[0] + radius[1] > 0;
 }
 
 /* ---- anchors, at the start of the step ---- */
@@ -223,25 +242,9 @@ static MeBool isAboutCentre(const KeaContact *c, int k) {
            keaLength(c->anchor[k]) <= kea_centredBall * c->manifold->radius[k];
 }
 
-/* m: the radius of the circle that touches; 0 if its axis may become parallel to the normal within the sub-step. A
- * circle that lies flat has no farthest point, and close to that the farthest point moves far along the circle. */
-static double circleOf(const MdtKeaSystem *s, const KeaContact *c, int k) {
-    const double *axis = c->manifold->axis[k];
-    double aside[3], turn[3];
-    keaCross(aside, axis, c->normal);
-    keaCross(turn, axis, sideVelocityOf(s, c, k)->ang);
-    return keaLength(aside) > s->parameters.stepsize * keaLength(turn) ? c->manifold->rim[k] : 0;
-}
-
-/* Whether the surface is round about a line at right angles to the normal: the side of a cylinder or capsule, an edge.
- */
-static MeBool isLine(const KeaContact *c, int k) {
-    const double *axis = c->manifold->axis[k];
-    return keaDot(axis, axis) > 0 && fabs(keaDot(axis, c->normal)) < kea_lineCosine;
-}
-
 static void setAnchors(const MdtKeaSystem *s, KeaContact *c) {
     const double *normal = c->manifold->normal;
+    double radius[2];
     keaCopy(c->normal, normal);
     keaCopy(c->direction, c->manifold->direction);
     keaCopy(c->point, c->at->position);
@@ -251,18 +254,18 @@ static void setAnchors(const MdtKeaSystem *s, KeaContact *c) {
         MdtKeaTransformation memory;
         const MdtKeaTransformation *pose = poseOf(s, c, k, &memory);
         double arm[3], out[3];
-        c->circle[k] = c->manifold->rim[k] > 0 ? circleOf(s, c, k) : 0;
+        c->circle[k] = circleOf(s, c->manifold, k);
         offsetToSurface(c, k, c->manifold->axis[k], c->normal, out);
         keaSubtract(arm, c->point, pose->pos);
         keaAddScaled(arm, (k == 0 ? -1 : 1) * 0.5 * c->depth, normal);
         keaAddScaled(arm, -1, out);
         keaApplyTransposed(c->anchor[k], pose->R, arm);
-        c->isLine[k] = isLine(c, k);
+        c->isLine[k] = isLine(c->manifold, k);
         if (c->circle[k] > 0 || c->isLine[k])
             keaApplyTransposed(c->circleAxis[k], pose->R, c->manifold->axis[k]);
         c->isAboutCentre[k] = isAboutCentre(c, k);
     }
-    c->hasCentres = haveCentres(c);
+    c->hasCentres = kea_centreRadii(s, c->manifold, c->at, radius);
     if (c->hasCentres)
         lineOfCentres(s, c, NULL, 0, c->line);
 }

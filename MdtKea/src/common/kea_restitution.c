@@ -63,39 +63,28 @@ static double faceTurningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, co
     return (k == 1 ? 1 : -1) * s->parameters.stepsize * (keaDot(turn, slip) - keaDot(m->normal, change));
 }
 
-/* m: the radius of curvature of a side; negative: none, or of a rim that is not at right angles to the normal. */
-static double radiusOfSide(const MdtKeaSystem *s, const MdtKeaManifold *m, int k) {
-    const MeBool isAcross = fabs(keaDot(m->axis[k], m->normal)) < kea_lineCosine;
-    if (m->body[k] >= 0 && s->work->body[m->body[k]].isTied)
-        return -1;
-    if (m->rim[k] > 0)
-        return isAcross ? m->rim[k] : -1;
-    return m->radius[k] > 0 || (isAcross && keaDot(m->axis[k], m->axis[k]) > 0) ? m->radius[k] : -1;
-}
-
 /* The centres of two round surfaces, at the distance L, move across the normal, and across a line about which one is
  * round, with u: the normal turns by u / L, and the rate grows by u² / L. */
-static double centresTurningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]) {
-    double u[3] = {0, 0, 0}, distance = 0;
+static double centresTurningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *at,
+                                 const double arm[2][3]) {
+    double u[3] = {0, 0, 0}, radius[2];
+    if (kea_isManifoldTied(s, m) || !kea_centreRadii(s, m, at, radius))
+        return 0;
     for (int k = 0; k < 2; k++) {
-        const double radius = radiusOfSide(s, m, k);
         double centre[3], v[3];
-        if (radius < 0)
-            return 0;
-        distance += radius;
         keaCopy(centre, arm[k]);
-        keaAddScaled(centre, (k == 0 ? 1 : -1) * radius, m->normal);
+        keaAddScaled(centre, (k == 0 ? 1 : -1) * radius[k], m->normal);
         velocityAt(kea_sideVelocity(s, m, k), centre, v);
         keaAddScaled(u, k == 0 ? 1 : -1, v);
     }
     keaAddScaled(u, -keaDot(u, m->normal), m->normal);
     for (int k = 0; k < 2; k++)
         keaAddScaled(u, -keaDot(u, m->axis[k]), m->axis[k]);
-    return distance > 0 ? s->parameters.stepsize * keaDot(u, u) / distance : 0;
+    return s->parameters.stepsize * keaDot(u, u) / (radius[0] + radius[1]);
 }
 
-double kea_turningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]) {
-    return faceTurningRate(s, m, arm) + centresTurningRate(s, m, arm);
+double kea_turningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *at, const double arm[2][3]) {
+    return faceTurningRate(s, m, arm) + centresTurningRate(s, m, at, arm);
 }
 
 static void addTurning(double turning, KeaApproach *a) {
@@ -113,7 +102,8 @@ KeaApproach kea_approachOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return a;
 }
 
-KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]) {
+KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *at,
+                                const double arm[2][3]) {
     KeaApproach a = {0, 0, 0, 0};
     for (int k = 0; k < 2; k++) {
         MdtKeaJBlock J;
@@ -124,7 +114,7 @@ KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, 
         else if (m->worldVelocity)
             addWorldRate(kea_rateAlong(&J, m->worldVelocity), &a);
     }
-    addTurning(kea_turningRate(s, m, arm), &a);
+    addTurning(kea_turningRate(s, m, at, arm), &a);
     return a;
 }
 
