@@ -134,7 +134,6 @@ MeBool mcd_landingBegin(McdLanding *l, const McdForecast *f, const McdShape *a, 
     turnOf(f, 1, b, normal, turn[1]);
     const double turnA = tiltBy(turn[0], normal), turnB = tiltBy(turn[1], normal);
     l->turn = turnA + turnB;
-    l->mayRebound = f->mayRebound;
     l->enter = mcd_mayEnter * mcd_pairSize(a, b);
     if (2 * (approachAlong(f, normal) + turnA * a->extent + turnB * b->extent) <= l->enter)
         return MEFALSE;
@@ -235,7 +234,7 @@ static double tiltByPushes(const McdLanding *l) {
     return mcd_length(across);
 }
 
-/* Whether pushes act all around the centre of a body, which then does not tilt over an edge, unless it rebounds. */
+/* Whether pushes act all around the centre of a body, which then does not tilt over an edge. */
 static MeBool isPropped(const McdLanding *l, int k, const McdSite *site, const int *kept, int keptCount) {
     MeBool isAny = MEFALSE;
     for (int i = 0; i < keptCount && l->side[k].mobility > 0; i++) {
@@ -255,16 +254,14 @@ static MeBool isPropped(const McdLanding *l, int k, const McdSite *site, const i
 }
 
 /* rad: by how much the shapes may tilt beyond what is predicted. Pushes are uncertain by as much as they turn the
- * shapes, since they act one after the other, and others may act; by twice as much where contacts rebound. Turns are
- * followed to first order. What is pushed on all sides of its centre does not tilt further: without this a coin of 16
- * corners that falls flat has contacts at all of them, whose friction costs the solver more than twice the work. */
+ * shapes, since they act one after the other, and others may act. Turns are followed to first order. What is pushed on
+ * all sides of its centre does not tilt further: without this a coin of 16 corners that falls flat has contacts at all
+ * of them, whose friction costs the solver four times the work (Mst_Landing). */
 static double uncertainTilt(const McdLanding *l, const McdSite *site, const int *kept, int keptCount) {
-    static const double far = .5; /* rad: what turns farther may come to rest elsewhere */
     const double pushed = tiltByPushes(l), all = pushed + l->turn;
-    if (!l->mayRebound && pushed < far && isPropped(l, 0, site, kept, keptCount) &&
-        isPropped(l, 1, site, kept, keptCount))
+    if (isPropped(l, 0, site, kept, keptCount) && isPropped(l, 1, site, kept, keptCount))
         return 0;
-    return (l->mayRebound ? 2 : 1) * pushed + all * all / 2;
+    return pushed + all * all / 2;
 }
 
 /* Adds the sites that a further tilt would bring down. */

@@ -40,8 +40,7 @@ typedef struct McdLander {
 
 typedef struct McdLanding {
     double normal[3], enter; /* m: the overlap that may remain */
-    MeBool mayRebound;
-    double turn; /* rad: by how much they tilt relative to each other, at most, if nothing pushes */
+    double turn;             /* rad: by how much they tilt relative to each other, at most, if nothing pushes */
     McdLander side[2];
     double shift, change[2][3]; /* m, rad: by how much pushes have moved the shapes apart and turned them */
     double tilt;                /* rad: by how much they may tilt beyond that */

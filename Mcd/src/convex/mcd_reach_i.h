@@ -14,16 +14,14 @@ typedef struct McdCourse {
 typedef struct McdForecast {
     McdCourse course[2]; /* of both shapes */
     double fall[3];      /* m, of what is free */
-    MeBool mayRebound;   /* contacts may have restitution */
 } McdForecast;
 
 /* Which gaps are contacts. */
 typedef struct McdReach McdReach;
 struct McdReach {
-    double margin;     /* m: the largest gap */
-    double approach;   /* m: by how much surfaces may come nearer before the next test, also by falling; 0: not known */
-    MeBool mayRebound; /* for: */
-    const McdGeometryInstance *instance[2];                  /* of both shapes */
+    double margin;   /* m: the largest gap */
+    double approach; /* m: by how much surfaces may come nearer before the next test, also by falling; 0: not known */
+    const McdGeometryInstance *instance[2];                  /* of both shapes, for: */
     void (*forecast)(const McdReach *reach, McdForecast *f); /* null: not known */
 };
 /* That of the shapes in the other order. */

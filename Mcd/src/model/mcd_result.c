@@ -53,7 +53,6 @@ static void forecast(const McdReach *reach, McdForecast *f) {
     for (int k = 0; k < 2; k++)
         setCourse(reach->instance[k], time, &f->course[k]);
     mcd_copy(f->fall, a->frame->fall);
-    f->mayRebound = reach->mayRebound;
 }
 
 static McdReach reachOf(const McdModelPair *p, const McdGeometryInstance *child1, const McdGeometryInstance *child2,
@@ -65,7 +64,6 @@ static McdReach reachOf(const McdModelPair *p, const McdGeometryInstance *child1
     MEASSERT(a->tolerance >= 0 && b->tolerance >= 0 && !(approach < 0));
     return (McdReach){(double)a->tolerance + (double)b->tolerance + approach,
                       approach + mcd_length(a->frame->fall),
-                      p->mayTurnRound,
                       {child1, child2},
                       forecast};
 }
