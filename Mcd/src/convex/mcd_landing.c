@@ -75,19 +75,14 @@ static void spreadOfHull(const McdHull *h, const double about[3], double spread[
         }
 }
 
-/* The same of the solid that moves: a child of an aggregate moves with the whole, which counts as a ball. */
+/* The same of the solid that moves, along the world's axes. What is no hull counts as a ball, as an aggregate does,
+ * with which its children move. */
 static void spreadOf(const McdShape *s, const McdCourse *c, double spread[3][3]) {
     const double extent = c->extent > 0 ? c->extent : s->extent, square = extent * extent / 8;
     double own[3][3] = {{square, 0, 0}, {0, square, 0}, {0, 0, square}}, centre[3];
     mcd_shapeToOwnAxes(s, c->arm, centre);
     if (s->hull && c->extent == 0)
         spreadOfHull(s->hull, centre, own);
-    for (int i = 0; s->kind->rank == MCD_RANK_BOX && c->extent == 0 && i < 3; i++)
-        own[i][i] = s->size[i] * s->size[i] / 3;
-    if (mcd_isTurned(s) && c->extent == 0) {
-        own[0][0] = own[1][1] = (s->size[0] * s->size[0] + s->size[1] * s->size[1]) / 8;
-        own[2][2] = s->size[2] * s->size[2] / 12;
-    }
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             spread[i][j] = 0;
