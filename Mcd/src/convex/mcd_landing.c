@@ -140,14 +140,13 @@ MeBool mcd_landingBegin(McdLanding *l, const McdForecast *f, const McdShape *a, 
 
 /* ---- motion ------------------------------------------------------------------------------------------------------ */
 
-/* m: by how much a point moves along the normal, turning as bodies do (Cayley). */
+/* m: by how much a point moves along the normal, to first order in the turn: uncertainTilt has the rest. */
 static double motionAlong(const McdLanding *l, int k, const double point[3]) {
     const McdLander *p = &l->side[k];
-    double arm[3], once[3], twice[3];
+    double arm[3], turned[3];
     mcd_sub(arm, point, p->centre);
-    mcd_cross(once, p->turn, arm);
-    mcd_cross(twice, p->turn, once);
-    return p->shift + (mcd_dot(l->normal, once) + mcd_dot(l->normal, twice) / 2) / (1 + mcd_dot(p->turn, p->turn) / 4);
+    mcd_cross(turned, p->turn, arm);
+    return p->shift + mcd_dot(l->normal, turned);
 }
 
 static void setSite(const McdLanding *l, McdSite *s) {
