@@ -35,7 +35,8 @@ void mcd_cornerAt(const McdShape *s, int corner, double point[3]) {
     mcd_shapePoint(s, own[0], own[1], own[2], point);
 }
 
-/* Whether a tilt may bring a corner as far down as the lowest one. */
+/* Whether a tilt may bring a corner as far down as the lowest one. Hulls that land take 5 % more of all instructions
+ * without it. */
 static MeBool mayComeDown(const double corner[3], const double lowest[3], double height, double tilt) {
     return height * height <= tilt * tilt * (mcd_distanceSquared(corner, lowest) - height * height);
 }

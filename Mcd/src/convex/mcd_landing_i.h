@@ -29,7 +29,7 @@ MeBool mcd_spanAlong(const McdShape *s, const double point[3], const double dire
 
 /* ---- motion before the next test (mcd_landing.c) ---- */
 
-/* Relative to the size: corners that will overlap by more are contacts. */
+/* Relative to the size: corners that will overlap by more are contacts. x2 fails Mst_Landing. */
 static const double mcd_mayEnter = 2e-3;
 
 /* One of two shapes: its mass and inertia, in units that both share, and its course. */
