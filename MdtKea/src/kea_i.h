@@ -337,15 +337,13 @@ typedef struct KeaApproach {
     double acceleration; /* m/s², in the last step */
 } KeaApproach;
 
-/* m/s: by how much the rate of a point changes in the step since the normal turns: with the face of a mover, or with
- * the line of two centres of curvature. */
-double kea_turningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *at, const double arm[2][3]);
+/* m/s: by how much the rate of a point changes in the step because it is on the face of a mover that turns. */
+double kea_turningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]);
 /* The approach along a row's direction. */
 KeaApproach kea_approachOfRow(const MdtKeaSystem *s, const MdtKeaRow *row);
 /* The approach of a point along the manifold's normal; arms point from the bodies' centres, or the world's origin, to
  * the point. */
-KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *at,
-                                const double arm[2][3]);
+KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]);
 /* Whether the bodies touch, or may touch within the step; gap in m. */
 MeBool kea_mayTouch(const MdtKeaSystem *s, const MdtKeaBodyIndexPair body, const KeaApproach *a, double gap);
 /* m/s, >= 0: the separating velocity by the law of restitution, or 0. kea_reboundOfImpact: after an impact that is

@@ -208,10 +208,10 @@ static double centreRadius(const MdtKeaSystem *s, const MdtKeaManifold *m, const
     return m->radius[k] > 0 || at->isVertex[k] || isLine(m, k) ? m->radius[k] : -1;
 }
 
-MeBool kea_centreRadii(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *at, double radius[2]) {
-    for (int k = 0; k < 2; k++)
-        radius[k] = centreRadius(s, m, at, k);
-    return radius[0] >= 0 && radius[1] >= 0 && radius[0] + radius[1] > 0;
+/* Whether the normal is the line of the centres of curvature of both sides. */
+static MeBool haveCentres(const MdtKeaSystem *s, const KeaContact *c) {
+    const double a = centreRadius(s, c->manifold, c->at, 0), b = centreRadius(s, c->manifold, c->at, 1);
+    return a >= 0 && b >= 0 && a + b > 0;
 }
 
 /* ---- anchors, at the start of the step ---- */
@@ -244,7 +244,6 @@ static MeBool isAboutCentre(const KeaContact *c, int k) {
 
 static void setAnchors(const MdtKeaSystem *s, KeaContact *c) {
     const double *normal = c->manifold->normal;
-    double radius[2];
     keaCopy(c->normal, normal);
     keaCopy(c->direction, c->manifold->direction);
     keaCopy(c->point, c->at->position);
@@ -265,7 +264,7 @@ static void setAnchors(const MdtKeaSystem *s, KeaContact *c) {
             keaApplyTransposed(c->circleAxis[k], pose->R, c->manifold->axis[k]);
         c->isAboutCentre[k] = isAboutCentre(c, k);
     }
-    c->hasCentres = kea_centreRadii(s, c->manifold, c->at, radius);
+    c->hasCentres = haveCentres(s, c);
     if (c->hasCentres)
         lineOfCentres(s, c, NULL, 0, c->line);
 }

@@ -42,9 +42,6 @@ const MdtKeaVelocity *kea_sideVelocity(const MdtKeaSystem *s, const MdtKeaManifo
 void kea_armsTo(const MdtKeaSystem *s, const MdtKeaManifold *m, const double point[3], double arm[2][3]);
 /* Whether a joint constrains a body of the manifold (kea_markTied). */
 MeBool kea_isManifoldTied(const MdtKeaSystem *s, const MdtKeaManifold *m);
-/* m: the radii of curvature of both sides of a point: 0 of vertices and edges. False: a side has no centre, or both
- * radii are 0. */
-MeBool kea_centreRadii(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *at, double radius[2]);
 /* Sets position, depth, arms and their motion at the start of the sub-step. */
 void kea_contactPlace(const MdtKeaSystem *s, KeaContact *c);
 /* Sets how the point moves within the sub-step: isVertex, turn, moves. After the place, and the rows of joints. */

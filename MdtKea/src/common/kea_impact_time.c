@@ -53,7 +53,7 @@ static double timeOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const 
     if (!(-point->depth > touching * kea_smallerExtent(s, m->body)))
         return HUGE_VAL;
     kea_armsTo(s, m, point->position, arm);
-    const KeaApproach a = kea_approachOfPoint(s, m, point, (const double(*)[3])arm);
+    const KeaApproach a = kea_approachOfPoint(s, m, (const double(*)[3])arm);
     double acceleration = accelerationOf(s, m, &a, (const double(*)[3])arm);
     if (0.5 * h * fabs(acceleration) > fabs(a.rate) + kea_loadSpeed(s))
         acceleration = (a.predicted - a.rate) / h;

@@ -46,7 +46,7 @@ static void velocityAt(const MdtKeaVelocity *side, const double arm[3], double v
 
 /* The rate is n·(v - f), with v of the other side, and f = c + w x r of the face at the same point. n turns with w, and
  * r changes by v - c: the acceleration is (w x n)·(v - f) - n·(w x (v - c)). */
-static double faceTurningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]) {
+double kea_turningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]) {
     const int k = m->body[0] < 0 ? 0 : 1;
     const MdtKeaVelocity *face = m->worldVelocity;
     double turn[3], v[3], f[3], slip[3], change[3];
@@ -61,30 +61,6 @@ static double faceTurningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, co
     keaAddScaled(v, -1, face->lin);
     keaCross(change, face->ang, v);
     return (k == 1 ? 1 : -1) * s->parameters.stepsize * (keaDot(turn, slip) - keaDot(m->normal, change));
-}
-
-/* The centres of two round surfaces, at the distance L, move across the normal, and across a line about which one is
- * round, with u: the normal turns by u / L, and the rate grows by u² / L. */
-static double centresTurningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *at,
-                                 const double arm[2][3]) {
-    double u[3] = {0, 0, 0}, radius[2];
-    if (kea_isManifoldTied(s, m) || !kea_centreRadii(s, m, at, radius))
-        return 0;
-    for (int k = 0; k < 2; k++) {
-        double centre[3], v[3];
-        keaCopy(centre, arm[k]);
-        keaAddScaled(centre, (k == 0 ? 1 : -1) * radius[k], m->normal);
-        velocityAt(kea_sideVelocity(s, m, k), centre, v);
-        keaAddScaled(u, k == 0 ? 1 : -1, v);
-    }
-    keaAddScaled(u, -keaDot(u, m->normal), m->normal);
-    for (int k = 0; k < 2; k++)
-        keaAddScaled(u, -keaDot(u, m->axis[k]), m->axis[k]);
-    return s->parameters.stepsize * keaDot(u, u) / (radius[0] + radius[1]);
-}
-
-double kea_turningRate(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *at, const double arm[2][3]) {
-    return faceTurningRate(s, m, arm) + centresTurningRate(s, m, at, arm);
 }
 
 static void addTurning(double turning, KeaApproach *a) {
@@ -102,8 +78,7 @@ KeaApproach kea_approachOfRow(const MdtKeaSystem *s, const MdtKeaRow *row) {
     return a;
 }
 
-KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *at,
-                                const double arm[2][3]) {
+KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, const double arm[2][3]) {
     KeaApproach a = {0, 0, 0, 0};
     for (int k = 0; k < 2; k++) {
         MdtKeaJBlock J;
@@ -114,7 +89,7 @@ KeaApproach kea_approachOfPoint(const MdtKeaSystem *s, const MdtKeaManifold *m, 
         else if (m->worldVelocity)
             addWorldRate(kea_rateAlong(&J, m->worldVelocity), &a);
     }
-    addTurning(kea_turningRate(s, m, at, arm), &a);
+    addTurning(kea_turningRate(s, m, arm), &a);
     return a;
 }
 

@@ -36,7 +36,7 @@ static int countFriction(int kinds) {
 
 void kea_contactChooseRows(const MdtKeaSystem *s, KeaContact *c) {
     kea_contactPlace(s, c);
-    const KeaApproach approach = kea_approachOfPoint(s, c->manifold, c->at, (const double(*)[3])c->arm);
+    const KeaApproach approach = kea_approachOfPoint(s, c->manifold, (const double(*)[3])c->arm);
     const MeBool touches = kea_mayTouch(s, c->manifold->body, &approach, -c->depth);
     c->friction = touches ? kindsOfFriction(&c->manifold->surface) : 0;
     c->at->depthNow = c->depth;
@@ -140,7 +140,7 @@ static void normalRow(const MdtKeaSystem *s, const KeaContact *c, int owner, Mdt
     const double aim = c->depth > 0 ? p->gamma * c->depth : c->depth; /* m: smallest separation within the sub-step */
     startLinearRow(c, c->normal, owner, aim / p->stepsize, row);
     row->error = -c->depth;
-    row->turning = kea_turningRate(s, c->manifold, c->at, (const double(*)[3])c->arm);
+    row->turning = kea_turningRate(s, c->manifold, (const double(*)[3])c->arm);
     for (int k = 0; k < 2; k++)
         row->radius[k] = c->manifold->radius[k];
     row->restitution = surface->restitution;

@@ -114,7 +114,7 @@ static MeBool isSoft(const MdtKeaSystem *s, const MdtKeaManifold *m) {
 static KeaApproach approachOf(const MdtKeaSystem *s, const MdtKeaManifold *m, const MdtKeaPoint *point) {
     double arm[2][3];
     kea_armsTo(s, m, point->position, arm);
-    return kea_approachOfPoint(s, m, point, (const double(*)[3])arm);
+    return kea_approachOfPoint(s, m, (const double(*)[3])arm);
 }
 
 /* m: the lower bound of the point's displacement along the normal in the step. A gap may close. A gap below the resting
