@@ -533,6 +533,32 @@ static void declineSolve(MdtKeaSystem *s, double work) {
     kea_reportWork(s);
 }
 
+/* Solves the rows. False: it was declined, as the work does not suffice for one factorization. */
+static MeBool solveRows(MdtKeaSystem *s) {
+    KeaProblem *q = &s->work->problem;
+    const double min = kea_factorFlops(q->factor);
+    if (s->parameters.mayDecline && s->parameters.maxWork > 0 && min > s->parameters.maxWork) {
+        declineSolve(s, min);
+        return MEFALSE;
+    }
+    if (s->parameters.timed) /* its rows were made for this sub-step only */
+        kea_problemAddWork(q, kea_problemWorkOfLinearization(q));
+    kea_setBudget(s, kea_workForMotion, KEA_SWEPT_PASSES);
+    s->work->hasLoops = kea_hasLoops(s);
+    kea_dualChooseFactor(s);
+    solveMotion(s);
+    if (s->parameters.timed)
+        solveToFirstEvent(s);
+    markFreeBodies(s);
+    kea_setBudget(s, 1, 1);
+    if (!s->parameters.timed || s->work->hasJoints)
+        kea_velocityStage(s);
+    kea_limitRolling(s);
+    kea_minimizeRedundantForces(s);
+    storeForces(s);
+    return METRUE;
+}
+
 void kea_exactSolve(MdtKeaSystem *s) {
     KeaProblem *q = &s->work->problem;
     memset(&q->counts, 0, sizeof q->counts);
@@ -554,28 +580,8 @@ void kea_exactSolve(MdtKeaSystem *s) {
         return;
     }
     s->report.capped = s->numRows > 0; /* remains true if kea_problemBegin has no memory */
-    if (s->numRows > 0 && kea_problemBegin(q, s->cache)) {
-        const double min = kea_factorFlops(q->factor); /* work of a step with one factorization */
-        if (s->parameters.mayDecline && s->parameters.maxWork > 0 && min > s->parameters.maxWork) {
-            declineSolve(s, min);
-            return;
-        }
-        if (s->parameters.timed) /* its rows were made for this sub-step only */
-            kea_problemAddWork(q, kea_problemWorkOfLinearization(q));
-        kea_setBudget(s, kea_workForMotion, KEA_SWEPT_PASSES);
-        s->work->hasLoops = kea_hasLoops(s);
-        kea_dualChooseFactor(s);
-        solveMotion(s);
-        if (s->parameters.timed)
-            solveToFirstEvent(s);
-        markFreeBodies(s);
-        kea_setBudget(s, 1, 1);
-        if (!s->parameters.timed || s->work->hasJoints)
-            kea_velocityStage(s);
-        kea_limitRolling(s);
-        kea_minimizeRedundantForces(s);
-        storeForces(s);
-    }
+    if (s->numRows > 0 && kea_problemBegin(q, s->cache) && !solveRows(s))
+        return;
     kea_moveFreeBodies(s);
     if (s->parameters.timed && s->numRows > 0 && q->factor) /* null: there was no memory */
         kea_projectPositions(s);
