@@ -301,6 +301,7 @@ typedef struct MdtBclConstraint {
 typedef struct MdtBclContext {
     MdtBclSolverParameters parameters;
     double elapsed;                                   /**< s, from the start of the step to that of this sub-step */
+    MeBool isUpdate;                                  /**< of a row only J, arms, bends and bounds are read */
     int body[MdtBclMAXSIDES];                         /**< indices in Kea's system, or MdtBclNO_BODY */
     int firstRow;                                     /**< index of the constraint's first row */
     MdtKeaBody *kea[2];                               /**< null: the world */

@@ -106,7 +106,8 @@ void bcl_orientationErrors(const MdtBclConstraint *c, const MdtKeaTransformation
 void bcl_targetAxes(double axes[3][3], const MdtBclConstraint *c, const MdtKeaTransformation *pose, const double q[4]);
 
 /* Position motors (bcl_servo.c). bcl_effectiveMass: kg, that the bodies show along a row while `count` rows hold; 0:
- * infinite. bcl_makeServo makes a row the motor's, with its error, the velocity of its target, and this mass. */
+ * infinite, or in an update. bcl_makeServo makes a row the motor's, with its error, the velocity of its target, and
+ * this mass. */
 MeBool bcl_isServo(const MdtBclServo *m);
 double bcl_effectiveMass(const MdtBclContext *x, const MdtKeaRow rigid[], int count, const MdtKeaRow *row);
 void bcl_makeServo(MdtKeaRow *row, const MdtBclContext *x, const MdtBclServo *m, double error, double velocity,

@@ -189,7 +189,9 @@ void bcl_makeStop(MdtKeaRow *row, const MdtBclContext *x) {
     row->position = METRUE;
 }
 
-static void stopRow(const MdtBclLimit *limit, int side, const MdtBclContext *x, MdtKeaRow *row) {
+/* The row of a stop; first: the limit's first row, behind `rigid` ones of the joint. */
+static void stopRow(const MdtBclLimit *limit, int side, const MdtBclContext *x, const MdtKeaRow *first, int rigid,
+                    MdtKeaRow *row) {
     const MdtBclSingleLimit *stop = &limit->limit[side];
     row->error = distanceToStop(limit, side);
     row->lower = 0;
@@ -199,6 +201,7 @@ static void stopRow(const MdtBclLimit *limit, int side, const MdtBclContext *x, 
         bcl_makeStop(row, x);
         row->restitution = stop->restitution > 0 ? fmin((double)stop->restitution, 1) : 0;
     } else {
+        row->mass = rigid > 0 ? bcl_effectiveMass(x, first - rigid, rigid, row) : 0;
         bcl_makeSpring(row, row->error, stop->stiffness, row->error > 0 ? 0 : (double)stop->damping);
     }
 }
@@ -216,7 +219,7 @@ void bcl_limitFill(const MdtBclLimit *limit, const MdtBclContext *x, const MdtKe
     for (int side = 0; side < 2; side++) {
         if (limit->rows & (side == 0 ? LOWER : UPPER)) {
             *rows = *coordinate;
-            stopRow(limit, side, x, rows++);
+            stopRow(limit, side, x, first, rigid, rows++);
         }
     }
     MEASSERT(rows - first == bcl_limitRows(limit));

@@ -61,6 +61,8 @@ static void invertMass(const MdtBclContext *x, const MdtKeaRow rigid[], int coun
 
 double bcl_effectiveMass(const MdtBclContext *x, const MdtKeaRow rigid[], int count, const MdtKeaRow *row) {
     double inverse[MAX_MOVED][MAX_MOVED];
+    if (x->isUpdate)
+        return 0;
     invertMass(x, rigid, count, row, 1, inverse);
     return inverse[0][0] > 0 ? 1 / inverse[0][0] : 0;
 }

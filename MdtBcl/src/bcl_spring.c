@@ -5,8 +5,9 @@
  *
  * The distance is the coordinate of a limit. Both stops hard and at the same length: a rod, φ = 0. Both soft and at the
  * same length: a damped spring, with the stiffness and damping of the upper stop above this length, and of the lower
- * one below it. Anything else, such as a string or an elastic: the limit itself, with hard stops as position rows, as n
- * changes with the bodies. The limit's motor or lock has a row of its own, before these; a rod has none.
+ * one below it. Anything else, such as a string or an elastic, one of whose stops has no force: the limit itself, with
+ * hard stops as position rows, as n changes with the bodies. The limit's motor or lock has a row of its own, before
+ * these; a rod has none.
  */
 #include "bcl_i.h"
 #include <string.h>
@@ -41,11 +42,17 @@ static void positioned(MdtBclConstraint *c, const MdtKeaTransformation *const po
     s->limit.limit[0].stop = s->limit.limit[1].stop = (MeReal)distanceOf(c, pose);
 }
 
+/* Whether a soft stop has a force. */
+static MeBool hasForce(const MdtBclSingleLimit *stop) {
+    return stop->stiffness > 0 || stop->damping > 0;
+}
+
 static MdtBclDistanceKind kindOf(const MdtBclLimit *limit) {
     const MeBool isOneLength = limit->limit[0].stop == limit->limit[1].stop && limit->bActive;
     if (isOneLength && bcl_isStopHard(limit, 0) && bcl_isStopHard(limit, 1))
         return MdtBclDistanceRod;
-    if (isOneLength && !bcl_isStopHard(limit, 0) && !bcl_isStopHard(limit, 1))
+    const MeBool isElastic = !hasForce(&limit->limit[0]) || !hasForce(&limit->limit[1]);
+    if (isOneLength && !bcl_isStopHard(limit, 0) && !bcl_isStopHard(limit, 1) && !isElastic)
         return MdtBclDistanceSpring;
     return MdtBclDistanceLimits;
 }

@@ -16,7 +16,7 @@
  *
  *      velocity row (contacts, motors)    J v⁺ = s - h E λ
  *      `position` row (joints, stops)     φ(x⁺) = φ(x) + h (s - h E λ)
- *      `spring` row                       λ = -stiffness φ - damping (J u - s)
+ *      `spring` row                       λ = -stiffness φ - damping (J u - s), with the mean φ of the step
  *
  *  For a joint row s = -γ φ / h and E = ε, which is the guide's (A + εI) x = b: γ is the fraction of the position
  *  error φ that one step removes (ERP), ε [1/kg] the compliance (CFM): a joint that carries the weight F sags by
@@ -190,9 +190,10 @@ typedef struct MdtKeaRow {
     double forced;      /**< component of this direction: the force is `forced` times the bound */
     double stiffness;   /**< N/m of a spring, >= 0 */
     double damping;     /**< N s/m of a spring, >= 0 */
-    double mass;        /**< kg: effective mass that a spring moves; 0: that of its bodies along the row alone */
-    double ripple;      /**< m/s: in: residual of the row's end velocity in the last step; out: in this one */
-    double force;       /**< λ, N: in: the warm start; out: the answer */
+    MeBool isStiff; /**< set by Kea: a spring that is too stiff for the mean force of the step has that of its end */
+    double mass;    /**< kg: effective mass that a spring moves; 0: that of its bodies along the row alone */
+    double ripple;  /**< m/s: in: residual of the row's end velocity in the last step; out: in this one */
+    double force;   /**< λ, N: in: the warm start; out: the answer */
 } MdtKeaRow;
 
 enum { MdtKeaMANIFOLDPOINTS = 4 }; /**< Maximal number of points of a manifold. */

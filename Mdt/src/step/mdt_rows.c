@@ -51,6 +51,7 @@ void mdt_jointContext(const MdtIsland *p, MdtJoint *j, double share, const MdtKe
     const MdtKeaSystem *kea = &p->kea;
     x->parameters = p->parameters;
     x->elapsed = p->elapsed;
+    x->isUpdate = MEFALSE;
     x->firstRow = j->firstRow;
     for (int k = 0; k < 2; k++) {
         const MdtBodyID b = mdt_sideBody(&j->base, k);
@@ -248,6 +249,7 @@ void MEAPI mdt_rowsUpdateJacobians(void *island, const MdtKeaTransformation pose
         if (j->numRows == 0 || j->type->keepsRows)
             continue;
         mdt_jointContext(p, j, p->kea.share, poses, &x);
+        x.isUpdate = METRUE;
         MEASSERT(j->firstRow + j->numRows <= p->kea.numRows);
         if (!arePosesInRange(j, &x))
             continue;

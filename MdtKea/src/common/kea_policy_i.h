@@ -155,6 +155,9 @@ static const double kea_reach = 1.5;
  * follow the oscillation, and backward Euler is used. x2 and /2 fail MdtKea_system: springs_too_stiff_are_damped,
  * springs_follow_the_midpoint_rule. */
 static const double kea_stiffSpring = 4;
+/* Of a spring's stiffness: the least slope of its mean force that Newton's method counts. A spring that has just let go
+ * has next to none, and its compliance would overflow. Each pass leaves up to 4 times this fraction of an error. */
+static const double kea_minSpringSlope = 1e-3;
 /* Fraction of the smallest moment: a smaller geometric stiffness is left out of the metric. Newton's method then leaves
  * 1 % of an error in a pass, as it does anyway. */
 static const double kea_smallStiffness = 0.01;

@@ -4,9 +4,8 @@
  * every row is J d + E p = r:
  *
  *   position:  φ⁺ = φ_0 + h (s - E p)             r = s - (φ_k - φ_0)/h
- *   spring:    p = -h [kp φ_0 + (θ h kp + kd)(J u - s)],  1/E = θ h² kp + h kd,   r = s - J u_k - E h kp φ_0;
- *              for a spring that only pushes and has a gap, φ_0 > 0, which carries no force at the start, r has θ φ_0
- *              in place of φ_0
+ *   spring:    p = h [F(φ⁺) - kd (J u - s)], F the mean force of the step (meanForce), linearized at the last pass:
+ *              1/E = h² |dF/dφ⁺| + h kd,   r = E h [F - kd (J u_k - s)]
  *   velocity:  J v⁺ = s - E p, v⁺ = v + (u - v)/θ     r = θ (s - J v_k⁺), E := θ E
  *
  * θ of the unknown u is chosen per body. It is 1 for bodies on which a contact may act, or a stop acts, so that these
@@ -118,11 +117,12 @@ static void chooseTheta(MdtKeaSystem *s) {
         s->work->body[i].theta = s->work->body[i].moveTheta = 0.5;
     const double approach = s->parameters.timed ? 0 : dampedApproach(s);
     for (int i = 0; i < s->numRows && !s->parameters.timed; i++) {
-        const MdtKeaRow *row = &s->rows[i];
+        MdtKeaRow *row = &s->rows[i];
         const MeBool isActing = row->contact == i ? damps(s, i, approach)
                                                   : row->position && kea_mayReachBound(row) && row->force != 0 &&
                                                         rateAt(row, s->velocity) <= -row->carried;
-        if (isActing || kea_isBackward(s, row))
+        row->isStiff = row->spring && kea_isBackward(s, row);
+        if (isActing || row->backward || row->isStiff)
             useBackwardEuler(s, row);
     }
     spreadTheta(s);
@@ -389,12 +389,39 @@ void kea_differentiateRows(MdtKeaSystem *s) {
         memcpy(q->tangent[i], q->row[i].J, sizeof q->row[i].J);
 }
 
+/* The force of a spring, N, and its decrease with the error at the end, N/m. */
+typedef struct SpringForce {
+    double force, stiffness;
+} SpringForce;
+
+/* N/m: the stiffness at an error. One that only pushes has none beyond its end. */
+static double stiffnessAt(const MdtKeaRow *row, double error) {
+    return row->lower == 0 && error > 0 ? 0 : row->stiffness;
+}
+
+/* The mean force of the step, by the difference of the potential V: F = -(V(end) - V(start)) / (end - start). So its
+ * work is exact in a step of any length, also where a spring that only pushes takes hold or lets go. */
+static SpringForce meanForce(const MdtKeaRow *row, double end) {
+    const double start = row->error, step = end - start, k0 = stiffnessAt(row, start), k = stiffnessAt(row, end);
+    if (row->lower == 0 && start > 0 && end >= 0) /* its bound cuts the force off at 0 */
+        return (SpringForce){-0.5 * row->stiffness * end, 0.5 * row->stiffness};
+    if (k0 == k)
+        return (SpringForce){-0.5 * k * (start + end), keaMax(0.5 * k, kea_minSpringSlope * row->stiffness)};
+    const double force = -0.5 * (k * end * end - k0 * start * start) / step;
+    return (SpringForce){force, keaMax((k * end + force) / step, kea_minSpringSlope * row->stiffness)};
+}
+
+/* The force of a spring that is too stiff for the mean: that at the end. */
+static SpringForce springForce(const MdtKeaRow *row, double end) {
+    return row->isStiff ? (SpringForce){-row->stiffness * end, row->stiffness} : meanForce(row, end);
+}
+
 static void springRow(const MdtKeaSystem *s, int i, KeaProblemRow *p) {
     const MdtKeaRow *row = &s->rows[i];
-    const double h = s->parameters.stepsize, theta = thetaOf(s, row);
-    const double slack = row->lower == 0 ? keaMax(row->error, 0) : 0;
-    p->E = 1 / (theta * h * h * row->stiffness + h * row->damping);
-    p->r = row->target - kea_meanRate(s, i) - p->E * h * row->stiffness * (row->error - (1 - theta) * slack);
+    const double h = s->parameters.stepsize, rate = kea_meanRate(s, i) - row->target;
+    const SpringForce f = springForce(row, row->error + h * rate);
+    p->E = 1 / (h * h * f.stiffness + h * row->damping);
+    p->r = p->E * h * (f.force - row->damping * rate);
     p->N = 0;
 }
 
