@@ -116,6 +116,12 @@ typedef struct KeaFlight {
     int impacts, misses;        /* impacts so far; impacts that were predicted too early */
 } KeaFlight;
 
+/* What carries a body (kea_carry.c): a mover, or a jointed body, by its index + 1; neither: nothing. */
+typedef struct KeaCarrier {
+    const MdtKeaMover *mover;
+    int body;
+} KeaCarrier;
+
 typedef struct MdtKeaWork {
     struct KeaContact *contact; /* common/kea_anchor_i.h; kept through the sub-steps of a step */
     int numContacts;
@@ -137,7 +143,7 @@ typedef struct MdtKeaWork {
     double (*velocity)[6];           /* by body: input of the energy limiter, m/s, rad/s */
     double *savedP;                  /* by row: impulses, saved while the inner problem solves something else */
     char *isIncluded;                /* by row: it takes part in an impact or a projection */
-    const MdtKeaMover **carrier;     /* by body: the mover that it sticks to (kea_carry.c); null: none */
+    KeaCarrier *carrier;             /* by body: what it sticks to (kea_carry.c) */
     int *activeRow, *problemRowOf;   /* impacts: system row of a problem row; problem row of a system row */
     int *activeBody, *problemBodyOf; /* the same for bodies; -1: not part of the impact */
     int *parent;                     /* union-find by body, the world last */

@@ -86,6 +86,54 @@ LOOP_TEST(a_lift_carries_ten_boxes_and_stops, 0, SOLVERS) {
     }
 }
 
+/* ---- what joints take along ---- */
+
+/* A hand that two fingers slide on, each pressed inwards by a motor with `factor` times the force that the load
+ * needs. */
+static MdtBodyID makeGripper(double size, double factor, double acceleration, MdtBodyID load) {
+    const double mu = .2, force = MdtBodyGetMass(load) * (gravity + acceleration) / (2 * mu) * factor;
+    const MdtBodyID hand = mover(3 * size, size, .2 * size, 0, 0, 2 * size);
+    for (int side = -1; side <= 1; side += 2) {
+        const MdtBodyID finger = McdModelGetBody(addBox(.2 * size, size, 2 * size, .6 * side * size, 0, .5 * size));
+        const MdtPrismaticID slide = MdtPrismaticCreate(u->world);
+        MdtPrismaticSetBodies(slide, finger, hand);
+        MdtPrismaticSetAxis(slide, 1, 0, 0);
+        MdtPrismaticEnable(slide);
+        MdtLimitSetLimitedForceMotor(MdtPrismaticGetLimit(slide), (MeReal)(-side * size), (MeReal)force);
+    }
+    return hand;
+}
+
+/* m: how far the load has slipped after a second. */
+static double slipInHand(int solver, double size, double factor, double acceleration, double h, MeBool isRound) {
+    begin(solver, .2, 0);
+    const McdGeometryID g = isRound ? McdSphereCreate(u->frame, (MeReal)(size / 2))
+                                    : McdBoxCreate(u->frame, (MeReal)size, (MeReal)size, (MeReal)size);
+    const MdtBodyID load = McdModelGetBody(MstModelAndBodyCreate(u, g, 1000));
+    const MdtBodyID hand = makeGripper(size, factor, acceleration, load);
+    double z = 0, v = 0;
+    for (int i = 0; i < 1 / h; i++) {
+        z += v * h + acceleration * h * h / 2;
+        v += acceleration * h;
+        moveTo(hand, 0, 0, 2 * size + z, 0);
+        MstUniverseStep(u, (MeReal)h);
+    }
+    return fabs(at(load, 2) - z);
+}
+
+/* Had lagged by half a step's gain of speed, a h t / 2: .08 m at 1 g and 60 Hz. */
+LOOP_TEST(a_hand_that_accelerates_keeps_its_load, 0, SOLVERS) {
+    static const double sizes[] = {.05, .3, 2}, factors[] = {1.05, 1.2, 1.5, 3}, steps[] = {1. / 60, 1. / 240};
+    for (int i = 0; i < 3; i++)
+        for (int f = 0; f < 4; f++)
+            for (int k = 0; k < 4; k++) {
+                const double g = k < 2 ? .3 * gravity : gravity;
+                const double slip = slipInHand(_i, sizes[i], factors[f], g, steps[k % 2], (MeBool)(f % 2));
+                ck_assert_msg(slip < 1e-4 * sizes[i] + 1e-5, "%g m, %g times, %g m/s², step %g: slips by %g", sizes[i],
+                              factors[f], g, steps[k % 2], slip);
+            }
+}
+
 /* ---- friction ---- */
 
 /* m: the farthest that a box at (x, y) of a platform comes from its place in `steps` of a path that the platform

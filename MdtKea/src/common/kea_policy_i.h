@@ -356,6 +356,9 @@ static const double kea_stickMargin = 1e-7;
 /* Slip, relative to the change of a mover's velocity, below which a body sticks to it at the end of a step. What slides
  * slips by most of the change, what sticks by a residual. Mst.Moved: what stands on a platform that starts. */
 static const double kea_stickingSlip = 0.1;
+/* Of the speed of a jointed body: the smallest jump by which it carries what sticks to it. Residuals of joints are
+ * less. */
+static const double kea_minJump = 1e-6;
 /* Gap, relative to the smaller body's size, below which a contact touches. 1e-5 in double precision toppled a tower,
  * 1e-6 left it rocking in 3 of 8 runs; in single precision programs place bodies no more accurately than to 1e-5. */
 static const double kea_touchingGap = sizeof(MeReal) == sizeof(double) ? 1e-7 : 1e-5;
