@@ -80,6 +80,7 @@ typedef struct KeaBody {
     double endAxes[3][3];
     double endVelocity[6]; /* m/s, rad/s (world) */
     double errorScale[2];  /* m, rad: its share of the scales of linear and angular position errors (kea_residual.c) */
+    double depth;          /* m: of its deepest contact that rests (kea_setDepths) */
     MeBool isTied;         /* a joint or a spring constrains its displacement (kea_markTied) */
     MeBool isFree;         /* no row acts on it: it moves as a free body */
 } KeaBody;
@@ -326,6 +327,14 @@ void kea_returnContactForces(MdtKeaSystem *s);
 /* m/s: an impact that is slower does not divide a step unless another one is faster. gained: by how much the rate of
  * the contact changes in the step; speed: kea_eventSpeed. */
 double kea_minDividingSpeed(double restitution, double gained, double speed);
+/* Whether the contact with normal row i touches, and its bodies approach each other; speed: kea_eventSpeed. */
+MeBool kea_isBlow(const MdtKeaSystem *s, int i, double speed);
+/* Sets the depth of each body. */
+void kea_setDepths(const MdtKeaSystem *s, double speed);
+/* s: how long the contact with normal row i, with a gap and an approach speed, may wait for simultaneous impacts. */
+double kea_delayOfImpact(const MdtKeaSystem *s, int i, double gap, double approach);
+/* Whether blows are to wait, at the start of the step, for simultaneous ones. Sets depths. */
+MeBool kea_impactsWait(const MdtKeaSystem *s, double speed);
 /* Whether slow impacts of the contact may follow each other without end; speed: kea_eventSpeed. Those of a round
  * surface with the surroundings do not if they lose all, and the body is faster than its loads change it: it comes to
  * the facets of its path one after the other, and goes on along each. */

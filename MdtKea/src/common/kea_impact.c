@@ -304,6 +304,8 @@ static double minImpactSpeedOf(const MdtKeaRow *row, double mass) {
 
 MeBool MEAPI MdtKeaMeets(const MdtKeaSystem *s) {
     const KeaEventScale scale = kea_eventScale(s);
+    if (kea_impactsWait(s, scale.speed))
+        return MEFALSE;
     for (int i = 0; i < s->numRows; i++)
         if (isApproaching(s, i, minImpactSpeedOf(&s->rows[i], scale.mass) * scale.speed))
             return METRUE;

@@ -1,4 +1,11 @@
-/* When contacts that are open will close: the times at which a step is divided. */
+/* When contacts that are open will close: the times at which a step is divided.
+ *
+ * Where a contact that rests overlaps by d, the gaps of its bodies are known no better than d, and impacts that follow
+ * each other by less are simultaneous. A table that rocks on two legs, which have sunk in by d, meets the ground with
+ * the inner edges of the other two first, when the outer edges are still as high as that. One impact after the other
+ * would take less energy than both together. So an impact waits until those that are simultaneous have come up, as long
+ * as nothing becomes deeper than d by it.
+ */
 #include "common/kea_anchor_i.h"
 #include "common/kea_policy_i.h"
 #include "kea_i.h"
@@ -25,6 +32,49 @@ double kea_timeOfImpact(double gap, double a, double b) {
         return 2 * gap / (-a + sqrt(root));
     return b < 0 ? (a + sqrt(root)) / -b : HUGE_VAL;
 }
+
+/* ---- simultaneous impacts ---- */
+
+MeBool kea_isBlow(const MdtKeaSystem *s, int i, double speed) {
+    return kea_isTouching(s, &s->rows[i]) && -kea_startRate(s, i) > kea_separatingSpeed * speed;
+}
+
+void kea_setDepths(const MdtKeaSystem *s, double speed) {
+    for (int b = 0; b < s->numBodies; b++)
+        s->work->body[b].depth = 0;
+    for (int i = 0; i < s->numRows; i++) {
+        const MdtKeaRow *row = &s->rows[i];
+        if (row->contact != i || row->error >= 0 || kea_isBlow(s, i, speed))
+            continue;
+        const double depth = keaMin(-row->error, kea_nearbyGap * kea_smallerExtent(s, row->body));
+        for (int k = 0; k < 2; k++)
+            if (row->body[k] >= 0)
+                s->work->body[row->body[k]].depth = keaMax(s->work->body[row->body[k]].depth, depth);
+    }
+}
+
+double kea_delayOfImpact(const MdtKeaSystem *s, int i, double gap, double approach) {
+    const MdtKeaRow *row = &s->rows[i];
+    double depth = kea_touchingGap * kea_smallerExtent(s, row->body);
+    for (int k = 0; k < 2; k++)
+        if (row->body[k] >= 0)
+            depth = keaMax(depth, s->work->body[row->body[k]].depth);
+    return approach > 0 ? keaMax(gap + depth, 0) / approach : 0;
+}
+
+MeBool kea_impactsWait(const MdtKeaSystem *s, double speed) {
+    double end = HUGE_VAL;
+    kea_setDepths(s, speed);
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact == i && kea_isBlow(s, i, speed))
+            end = keaMin(end, kea_delayOfImpact(s, i, s->rows[i].error, -kea_startRate(s, i)));
+    for (int i = 0; i < s->numRows && end < HUGE_VAL; i++)
+        if (s->rows[i].contact == i && !kea_isTouching(s, &s->rows[i]) && s->rows[i].error < end * -kea_startRate(s, i))
+            return METRUE;
+    return MEFALSE;
+}
+
+/* ---- the fast solver ---- */
 
 /* m/s²: the acceleration of a gap in the last step. The point is one of the body, which turns with it; the farthest
  * point of a rim stays where it is. */

@@ -120,6 +120,7 @@ int MEAPI MdtKeaHeldBodies(const MdtKeaSystem *s) {
 
 typedef struct Impact {
     double time, speed; /* s into the step, HUGE_VAL: none; over the least speed that divides the step */
+    double approach;    /* m/s: of the bodies at that time */
 } Impact;
 
 /* The approach of the contact with normal row i, whose rate changes linearly to endRate within the step. */
@@ -138,10 +139,11 @@ static Course courseOf(const MdtKeaSystem *s, int i, double endRate) {
 static Impact impactOf(const MdtKeaSystem *s, int i, double endRate, double speed) {
     const Course c = courseOf(s, i, endRate);
     if (c.time == HUGE_VAL)
-        return (Impact){HUGE_VAL, 0};
+        return (Impact){HUGE_VAL, 0, 0};
     const double gained = c.acceleration * s->parameters.stepsize;
     const double min = kea_minDividingSpeed(s->rows[i].restitution, gained, speed);
-    return (Impact){c.time, -(c.start + c.acceleration * c.time) / min};
+    const double approach = -(c.start + c.acceleration * c.time);
+    return (Impact){c.time, approach / min, approach};
 }
 
 /* ---- slow contacts, closed from the start instead ---- */
@@ -155,9 +157,12 @@ static MeBool closesSlowly(const MdtKeaSystem *s, int i, double endRate, double 
 
 void kea_markOpenContacts(MdtKeaSystem *s) {
     const double speed = kea_eventSpeed(s);
+    const MeBool waits = kea_impactsWait(s, speed);
     for (int i = 0; i < s->numRows; i++)
         if (s->rows[i].contact == i)
-            s->rows[i].isOpen = kea_isContactOpen(s, i, speed) && !closesSlowly(s, i, freeRate(s, &s->rows[i]), speed);
+            s->rows[i].isOpen =
+                (kea_isContactOpen(s, i, speed) && !closesSlowly(s, i, freeRate(s, &s->rows[i]), speed)) ||
+                (waits && kea_isBlow(s, i, speed));
 }
 
 int kea_closeSlowContacts(MdtKeaSystem *s) {
@@ -173,19 +178,37 @@ int kea_closeSlowContacts(MdtKeaSystem *s) {
 
 /* ---- events ---- */
 
-/* The time of the first impact of open contacts, and the largest speed of all impacts within the step. The speed of
- * those that cannot chatter does not matter. */
+/* s: the time of the last impact of open contacts up to the time `end`. */
+static double lastImpact(const MdtKeaSystem *s, double end, double speed) {
+    double last = 0;
+    for (int i = 0; i < s->numRows; i++)
+        if (s->rows[i].contact == i && s->rows[i].isOpen) {
+            const double time = impactOf(s, i, kea_endRate(s, i), speed).time;
+            last = time <= end ? keaMax(last, time) : last;
+        }
+    return last;
+}
+
+/* The time of the first impact of open contacts, or the last one that is simultaneous with it (kea_impact_time.c), and
+ * the largest speed of all impacts within the step. The speed of those that cannot chatter does not matter. */
 static Impact firstImpact(const MdtKeaSystem *s, double speed) {
-    Impact first = {HUGE_VAL, 0};
+    Impact first = {HUGE_VAL, 0, 0};
+    double end = HUGE_VAL;
+    kea_setDepths(s, speed);
     for (int i = 0; i < s->numRows; i++) {
         if (s->rows[i].contact != i || !s->rows[i].isOpen)
             continue;
         const Impact m = impactOf(s, i, kea_endRate(s, i), speed);
         first.time = keaMin(first.time, m.time);
+        if (m.time == HUGE_VAL)
+            continue;
+        end = keaMin(end, m.time + kea_delayOfImpact(s, i, keaMin(s->rows[i].error, 0), m.approach));
         if (m.time < s->parameters.stepsize)
             first.speed = keaMax(first.speed,
                                  s->parameters.holdsSlow || kea_mayChatter(s, &s->rows[i], speed) ? m.speed : HUGE_VAL);
     }
+    if (end > first.time && end < HUGE_VAL)
+        first.time = lastImpact(s, end, speed);
     return first;
 }
 
