@@ -37,22 +37,34 @@ static double tiltBy(const double turn[3], const double normal[3]) {
     return mcd_length(across);
 }
 
+/* The sine of the angle between the axis of a solid of revolution and the normal, if it may roll on: its turn and a
+ * blow at the rim do not lay it flat, and its contact can follow the rim (half a radian: Mst_Order_Edges). Else 0. */
+static double rollOf(const McdForecast *f, int k, const McdShape *s, const double normal[3]) {
+    static const double max2 = .5; /* rad², about the normal */
+    const double *axis = s->axis[2];
+    double aside[3], moves[3];
+    mcd_mad(aside, axis, -mcd_dot(axis, normal), normal);
+    mcd_cross(moves, f->course[k].turn, axis);
+    const double sine = mcd_length(aside);
+    if (sine == 0 || (!mcd_isTurned(s) && s->kind->rank != MCD_RANK_SPHYL))
+        return 0;
+    const double down = -mcd_dot(moves, aside) / sine, blow = 2 * approachAlong(f, normal) / s->extent;
+    const MeBool mayLie = fmax(down, 0) + blow > sine;
+    return !mayLie && mcd_dot(moves, moves) - down * down < max2 * sine * sine ? sine : 0;
+}
+
 /* The turn that moves a shape. A spin about its axis does not move a solid of revolution: of the turns that move it
  * alike that which tilts least is taken, since what rolls turns about the normal, or not at all. One that may come to
  * lie flat has no such turn. */
 static void turnOf(const McdForecast *f, int k, const McdShape *s, const double normal[3], double turn[3]) {
-    static const double max2 = .3; /* rad², of what rolls (Mst_Order_Edges fails with half). With 1 of 1005 hulls, discs
-                                      and cones that land 213 overlap by 2 % of their thickness, with .3 189 */
     const double *given = f->course[k].turn, *axis = s->axis[2];
-    double aside[3], moves[3];
+    const double sine = rollOf(f, k, s, normal);
+    double aside[3];
     mcd_copy(turn, given);
     if (!mcd_isTurned(s) && s->kind->rank != MCD_RANK_SPHYL)
         return;
     mcd_mad(aside, axis, -mcd_dot(axis, normal), normal);
-    mcd_cross(moves, given, axis);
-    const double sine2 = mcd_dot(aside, aside);
-    const MeBool rolls = mcd_dot(moves, moves) < max2 * sine2;
-    mcd_mad(turn, given, -(rolls ? mcd_dot(given, aside) / sine2 : mcd_dot(given, axis)), axis);
+    mcd_mad(turn, given, -(sine > 0 ? mcd_dot(given, aside) / (sine * sine) : mcd_dot(given, axis)), axis);
 }
 
 /* A blow at the end of a rod makes the other end come down by up to one and a half times the approach, and others may
@@ -110,6 +122,7 @@ static void setLander(McdLander *p, const McdForecast *f, int k, const McdShape 
     double spread[3][3], inertia[3][3], unused[3][3];
     *p = (McdLander){.shift = shiftAlong(f, k, normal)};
     turnOf(f, k, s, normal, p->turn);
+    p->roll = rollOf(f, k, s, normal);
     mcd_mad(p->centre, s->place, 1, c->arm);
     spreadOf(s, c, spread);
     const double volume2 = invert(mcd_constRows(spread), unused), all = spread[0][0] + spread[1][1] + spread[2][2];
@@ -131,6 +144,7 @@ MeBool mcd_landingBegin(McdLanding *l, const McdForecast *f, const McdShape *a, 
     turnOf(f, 1, b, normal, turn[1]);
     const double turnA = tiltBy(turn[0], normal), turnB = tiltBy(turn[1], normal);
     l->turn = turnA + turnB;
+    l->fall = f->course[0].isFree != f->course[1].isFree ? fabs(mcd_dot(f->fall, normal)) : 0;
     l->enter = mcd_mayEnter * mcd_pairSize(a, b);
     if (2 * (approachAlong(f, normal) + turnA * a->extent + turnB * b->extent) <= l->enter)
         return MEFALSE;
@@ -250,12 +264,27 @@ static MeBool isPropped(const McdLanding *l, int k, const McdSite *site, const i
     return isAny || l->side[k].mobility == 0;
 }
 
+/* Whether one shape rolls on: the pushes bear its weight, and what they turn beyond that is small beside the angle at
+ * which it leans. Then its contact moves along the rim, and to tilt further is to roll: another point of the rim would
+ * be struck where it passes. */
+static MeBool isRolling(const McdLanding *l, const McdSite *site, const int *kept, int keptCount) {
+    static const double max = .2;
+    const double roll = fmax(l->side[0].roll, l->side[1].roll);
+    double motion = 0; /* m: toward each other, at the pushes */
+    for (int i = 0; i < keptCount; i++)
+        if (site[kept[i]].push > 0)
+            motion = fmax(motion, site[kept[i]].separation - site[kept[i]].gap);
+    return roll > 0 && tiltByPushes(l) * (motion - l->fall) <= max * roll * motion;
+}
+
 /* rad: by how much the shapes may tilt beyond what is predicted. Pushes are uncertain by as much as they turn the
  * shapes, since they act one after the other, and others may act. Turns are followed to first order. What is pushed on
  * all sides of its centre does not tilt further: without this a coin of 16 corners that falls flat has contacts at all
  * of them, whose friction costs the solver four times the work (Mst_Landing). */
 static double uncertainTilt(const McdLanding *l, const McdSite *site, const int *kept, int keptCount) {
     const double pushed = tiltByPushes(l), all = pushed + l->turn;
+    if (isRolling(l, site, kept, keptCount))
+        return 0;
     if (isPropped(l, 0, site, kept, keptCount) && isPropped(l, 1, site, kept, keptCount))
         return 0;
     return pushed + all * all / 2;

@@ -36,11 +36,13 @@ static const double mcd_mayEnter = 2e-3;
 typedef struct McdLander {
     double centre[3], turn[3], shift; /* m; rad; m, along the normal */
     double mobility, inverse[3][3];   /* of mass and inertia; 0 of what is not free */
+    double roll;                      /* of what may roll on: the sine of its lean; else 0 */
 } McdLander;
 
 typedef struct McdLanding {
     double normal[3], enter; /* m: the overlap that may remain */
     double turn;             /* rad: by how much they tilt relative to each other, at most, if nothing pushes */
+    double fall;             /* m: by how much gravity alone brings them nearer, at most */
     McdLander side[2];
     double shift, change[2][3]; /* m, rad: by how much pushes have moved the shapes apart and turned them */
     double tilt;                /* rad: by how much they may tilt beyond that */
