@@ -275,7 +275,7 @@ void kea_beginRows(MdtKeaSystem *s) {
         /* with holdsSlow kea_closeSlowContacts may close an open contact, which then needs its block of the matrix */
         p->isOut = row->contact >= 0 && s->rows[row->contact].isOpen && !s->parameters.holdsSlow;
         p->p = p->p0 = p->isInactive || !isfinite(row->force) ? 0 : keaMin(keaMax(h * row->force, p->lower), p->upper);
-        p->state = KEA_ACTIVE;
+        p->state = p->p > p->lower && p->p < p->upper ? KEA_ACTIVE : KEA_IDLE;
         p->isInconsistent = p->isUnmet = MEFALSE;
         p->isCheckedElsewhere = row->position;
         p->isForced = row->isForced;
