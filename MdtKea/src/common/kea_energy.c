@@ -60,6 +60,79 @@ double kea_energyAllowed(const MdtKeaSystem *s) {
     return sum + workOfRows(s);
 }
 
+/* ---- the common motion ---- */
+
+/* The motion of all bodies that are not free as one rigid body, which rows between them do not change: momentum and
+ * angular momentum are its own. */
+typedef struct CommonMotion {
+    double centre[3], velocity[3], spin[3];
+} CommonMotion;
+
+/* Whether a row acts between a body and the world. */
+static MeBool isWorldActing(const MdtKeaSystem *s) {
+    for (int i = 0; i < s->numRows; i++)
+        if (!s->work->problem.row[i].isInactive && (s->rows[i].body[0] < 0 || s->rows[i].body[1] < 0))
+            return METRUE;
+    return MEFALSE;
+}
+
+/* Sets centre and velocity. Returns the mass, kg. */
+static double findCentre(const MdtKeaSystem *s, double (*velocity)[6], CommonMotion *c) {
+    double mass = 0;
+    for (int b = 0; b < s->numBodies; b++) {
+        const double m = s->work->body[b].isFree ? 0 : 1 / s->bodies[b]->invMass;
+        keaAddScaled(c->centre, m, s->work->end[b].position);
+        keaAddScaled(c->velocity, m, velocity[b]);
+        mass += m;
+    }
+    keaScale(c->centre, mass > 0 ? 1 / mass : 0, c->centre);
+    keaScale(c->velocity, mass > 0 ? 1 / mass : 0, c->velocity);
+    return mass;
+}
+
+/* Adds a body's inertia and angular momentum about the centre. */
+static void addBody(const MdtKeaSystem *s, int b, const CommonMotion *c, const double velocity[6], double inertia[3][3],
+                    double momentum[3]) {
+    const double m = 1 / s->bodies[b]->invMass;
+    const double(*const own)[3] = (const double(*)[3])s->work->problem.metric[b].angular;
+    double arm[3], orbit[3], spin[3];
+    keaSubtract(arm, s->work->end[b].position, c->centre);
+    for (int k = 0; k < 9; k++)
+        inertia[k / 3][k % 3] += own[k / 3][k % 3] - m * arm[k / 3] * arm[k % 3];
+    for (int k = 0; k < 3; k++)
+        inertia[k][k] += m * keaDot(arm, arm);
+    keaCross(orbit, arm, velocity);
+    keaApply(spin, own, velocity + 3);
+    keaAddScaled(momentum, m, orbit);
+    keaAddScaled(momentum, 1, spin);
+}
+
+/* At the end positions; no motion if the world acts or locks axes. */
+static CommonMotion commonMotion(const MdtKeaSystem *s, double (*velocity)[6]) {
+    CommonMotion c = {.spin = {0}};
+    double inertia[3][3] = {{0}}, momentum[3] = {0}, inverse[3][3];
+    if (s->work->hasLocks || isWorldActing(s))
+        return c;
+    if (!(findCentre(s, velocity, &c) > 0))
+        return c;
+    for (int b = 0; b < s->numBodies; b++)
+        if (!s->work->body[b].isFree)
+            addBody(s, b, &c, velocity[b], inertia, momentum);
+    kea_invert(inverse, (const double(*)[3])inertia);
+    keaApply(c.spin, (const double(*)[3])inverse, momentum);
+    return c;
+}
+
+/* The velocity of body b in that motion. */
+static void shareOf(const MdtKeaSystem *s, const CommonMotion *c, int b, double v[6]) {
+    double arm[3], turn[3];
+    keaSubtract(arm, s->work->end[b].position, c->centre);
+    keaCross(turn, c->spin, arm);
+    keaCopy(v, c->velocity);
+    keaAddScaled(v, 1, turn);
+    keaCopy(v + 3, c->spin);
+}
+
 /* ---- correction of errors ---- */
 
 /* m/s: the speed at which the largest position error of a joint is corrected; withContacts: of a joint or contact. */
@@ -93,20 +166,54 @@ static double workOfCorrection(const MdtKeaSystem *s) {
     return momentum * speedOfCorrection(s, METRUE);
 }
 
+/* J: the work of the loads on body b along a motion v. */
+static double workAlong(const MdtKeaSystem *s, int b, const double v[6]) {
+    double dv[3], dL[3];
+    keaSubtract(dv, s->predicted[b].lin, s->bodies[b]->velocity);
+    keaSubtract(dL, s->work->body[b].freeMomentum, s->bodies[b]->angularMomentum);
+    return keaDot(dv, v) / s->bodies[b]->invMass + keaDot(dL, v + 3);
+}
+
+/* The common velocity of the displacements, without the rotation: the mean of those at the start and after the loads,
+ * as u of an answer that has not converged does not keep it. Writes its energy at the start, J. */
+static CommonMotion commonDisplacement(const MdtKeaSystem *s, double *energy) {
+    CommonMotion c = {.spin = {0}}, after = c;
+    *energy = 0;
+    if (s->work->hasLocks || isWorldActing(s))
+        return c;
+    for (int b = 0; b < s->numBodies; b++)
+        keaCopy(s->work->velocity[b], s->bodies[b]->velocity);
+    const double mass = findCentre(s, s->work->velocity, &c);
+    *energy = 0.5 * mass * keaDot(c.velocity, c.velocity);
+    for (int b = 0; b < s->numBodies; b++)
+        keaCopy(s->work->velocity[b], s->predicted[b].lin);
+    findCentre(s, s->work->velocity, &after);
+    keaAddScaled(c.velocity, 1, after.velocity);
+    keaScale(c.velocity, 0.5, c.velocity);
+    return c;
+}
+
 MeBool kea_limitDisplacements(const MdtKeaSystem *s) {
-    double start = workOfCorrection(s), work = workOfRows(s);
+    double energy, common[6];
+    const CommonMotion c = commonDisplacement(s, &energy);
+    double start = workOfCorrection(s) - energy, work = workOfRows(s);
     for (int b = 0; b < s->numBodies; b++)
         if (!s->work->body[b].isFree) {
+            shareOf(s, &c, b, common);
             start += startEnergy(s, b);
-            work += workOfLoads(s, b);
+            work += workOfLoads(s, b) - workAlong(s, b, common);
         }
+    start = keaMax(start, 0);
     if (!(start + work < 0))
         return MEFALSE;
     const double share = start / -work;
     MEASSERT(share >= 0 && share < 1);
-    for (int b = 0; b < s->numBodies; b++)
+    for (int b = 0; b < s->numBodies; b++) {
+        double *u = s->work->body[b].u;
+        shareOf(s, &c, b, common);
         for (int k = 0; k < 6 && !s->work->body[b].isFree; k++)
-            s->work->body[b].u[k] *= share;
+            u[k] = common[k] + share * (u[k] - common[k]);
+    }
     return METRUE;
 }
 
@@ -140,15 +247,6 @@ double kea_elasticShare(const MdtKeaSystem *s, double (*velocity)[6], double (*e
 
 /* ---- scaling ---- */
 
-/* J: energy of the bodies that no row acts on, which are not scaled. */
-static double freeEnergy(const MdtKeaSystem *s, double (*velocity)[6]) {
-    double sum = 0;
-    for (int b = 0; b < s->numBodies; b++)
-        if (s->work->body[b].isFree)
-            sum += kea_energyOf(&s->work->problem.metric[b], velocity[b], velocity[b]);
-    return sum;
-}
-
 /* J: the scale of the rounding of kea_kineticEnergy, whose terms cancel for a needle that spins about its own axis. */
 static double largestTerms(const MdtKeaSystem *s, double (*velocity)[6]) {
     double sum = 0;
@@ -160,43 +258,31 @@ static double largestTerms(const MdtKeaSystem *s, double (*velocity)[6]) {
     return 0.5 * sum;
 }
 
-/* Whether a row acts between a body and the world. */
-static MeBool isWorldActing(const MdtKeaSystem *s) {
-    for (int i = 0; i < s->numRows; i++)
-        if (!s->work->problem.row[i].isInactive && (s->rows[i].body[0] < 0 || s->rows[i].body[1] < 0))
-            return METRUE;
-    return MEFALSE;
-}
-
-/* The common velocity of the bodies that are not free, which nothing but the world changes: 0 if that acts or locks
- * axes. Returns its energy, J. */
-static double commonVelocity(const MdtKeaSystem *s, double (*velocity)[6], double common[3]) {
-    double mass = 0;
-    keaZero(common);
-    if (s->work->hasLocks || isWorldActing(s))
-        return 0;
-    for (int b = 0; b < s->numBodies; b++)
-        if (!s->work->body[b].isFree) {
-            mass += 1 / s->bodies[b]->invMass;
-            keaAddScaled(common, 1 / s->bodies[b]->invMass, velocity[b]);
-        }
-    keaScale(common, mass > 0 ? 1 / mass : 0, common);
-    return 0.5 * mass * keaDot(common, common);
+/* Sets `change` to what leaves only the common motion of the bodies that are not free. Returns its energy with that of
+ * the free bodies, J. */
+static double changeToCommon(const MdtKeaSystem *s, double (*velocity)[6], double (*change)[6]) {
+    const CommonMotion c = commonMotion(s, velocity);
+    for (int b = 0; b < s->numBodies; b++) {
+        double common[6];
+        shareOf(s, &c, b, common);
+        for (int k = 0; k < 6; k++)
+            change[b][k] = s->work->body[b].isFree ? 0 : common[k] - velocity[b][k];
+    }
+    return kea_kineticEnergy(s, velocity, change);
 }
 
 MeBool kea_scaleVelocities(const MdtKeaSystem *s, double (*velocity)[6], double allowed, double (*change)[6]) {
-    double common[3];
     const double energy = kea_kineticEnergy(s, velocity, NULL);
     if (energy <= allowed)
         return MEFALSE;
-    const double kept = freeEnergy(s, velocity) + commonVelocity(s, velocity, common);
-    if (!(energy > kept)) /* nothing but free bodies moves */
+    const double kept = changeToCommon(s, velocity, change);
+    if (!(energy > kept)) /* nothing but free bodies moves, or all move as one */
         return MEFALSE;
-    const double less = sqrt(keaMax(allowed - kept, 0) / (energy - kept)) - 1;
-    MEASSERT(!(less < -1) && !(less > 0));
+    const double less = 1 - sqrt(keaMax(allowed - kept, 0) / (energy - kept));
+    MEASSERT(!(less < 0) && !(less > 1));
     for (int b = 0; b < s->numBodies; b++)
         for (int k = 0; k < 6; k++)
-            change[b][k] = s->work->body[b].isFree ? 0 : less * (velocity[b][k] - (k < 3 ? common[k] : 0));
+            change[b][k] *= less;
     MEASSERT(!(kea_kineticEnergy(s, velocity, change) >
                keaMax(allowed, kept) + kea_assertedRounding * energy + kea_energyRounding * largestTerms(s, velocity)));
     return METRUE;
