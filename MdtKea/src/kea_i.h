@@ -571,6 +571,9 @@ double kea_loadSpeed(const MdtKeaSystem *s);
  * impulses. */
 double kea_bodySpeedScale(const MdtKeaSystem *s);
 double kea_rowSpeedScale(const MdtKeaSystem *s);
+/* m/s: what the rounding of the poses that collision reads leaves in the rate of a contact, as the surface point of a
+ * body that rolls or spins is known to that. */
+double kea_roundingOfRates(const MdtKeaSystem *s);
 /* Residuals of the present iterate, relative to the speed scale `speed`; after a linearization. Writes report.error. */
 KeaResiduals kea_residuals(MdtKeaSystem *s, double speed);
 /* The largest joint error that the step should have corrected and has not, relative to the smaller body's size. */

@@ -8,6 +8,7 @@
  *   momentum  for every body: B d + g - Jᵀ p, N s
  */
 #include "kea_i.h"
+#include "common/kea_anchor_i.h"
 #include "common/kea_policy_i.h"
 #include "MeAssert.h"
 
@@ -187,6 +188,19 @@ double kea_rowSpeedScale(const MdtKeaSystem *s) {
             speed = keaMax(speed, kea_lengthOf(s, &s->rows[i]) * s->work->problem.row[i].Aii *
                                       fabs(s->work->problem.row[i].p));
     return speed;
+}
+
+double kea_roundingOfRates(const MdtKeaSystem *s) {
+    double max = 0;
+    for (int i = 0; i < s->work->numContacts; i++) {
+        const KeaContact *c = &s->work->contact[i];
+        double speed = 0;
+        for (int k = 0; k < 2; k++)
+            if (c->manifold->body[k] >= 0)
+                speed += keaLength(s->work->body[c->manifold->body[k]].u + 3) * keaLength(c->arm[k]);
+        max = keaMax(max, speed);
+    }
+    return kea_poseRounding * max;
 }
 
 KeaResiduals kea_residuals(MdtKeaSystem *s, double speed) {

@@ -303,6 +303,13 @@ static void chooseProblem(MdtKeaSystem *s, Passes *p) {
     }
 }
 
+/* Whether passes leave what remains because contacts that share a load with joints contradict each other by rounding.
+ * Further ones would move the load from one contact to the other until one has none. */
+static MeBool areRatesRounded(const MdtKeaSystem *s, const Passes *p) {
+    return s->work->hasJoints && p->pass > 1 && p->e.worst > 0.5 * p->before && p->e.position < 1 &&
+           p->e.momentum < 1 && p->e.velocity * p->e.resolution <= kea_roundingOfRates(s);
+}
+
 /* Whether passes end with this iterate. A converged answer is refined once more if that costs no factorization, since
  * it is the warm start of the next step. Passes recover from a runaway only if its friction can still be frozen. Sets
  * isLimited. */
@@ -326,7 +333,7 @@ static MeBool isLastPass(MdtKeaSystem *s, Passes *p) {
     const MeBool mayEnd = areChains(s) || (!s->work->hasJoints && kea_isExactEnough(&p->best, margin));
     const int patience = isPaid ? 0 : KEA_STUCK_PASSES;
     const MeBool isStuck = mayEnd && p->pass - p->marked > patience; /* of chains: the step is too long */
-    return isEnough || isCut || hasRunAway || isStuck || p->pass == p->last;
+    return isEnough || areRatesRounded(s, p) || isCut || hasRunAway || isStuck || p->pass == p->last;
 }
 
 /* Solves the inner problem and applies its answer. If passes converge fast, the factors of the last one are tried
