@@ -310,6 +310,7 @@ typedef struct MdtKeaReport {
     MeBool conflicting; /**< joints contradict each other: the answer is a compromise */
     double event;       /**< s: time of the first event, at which to divide a timed step; none: the step's length */
     MeBool trembles;    /**< chattering: the only events are impacts, all too slow to rebound */
+    MeBool twisted;     /**< timed steps: a contact of jointed bodies pushes along two lines */
     MeBool ballistic;   /**< timed steps: no row acts up to the event (MdtKeaFly) */
     int impacts;        /**< number of impacts in MdtKeaFly */
     double excess;      /**< the largest ratio of a row's residual to its tolerance: up to 1 the answer is accurate */

@@ -319,7 +319,7 @@ static TimedResult solveToEvent(MdtIsland *p, double remaining, double min, int 
     mdt_substepSolveRows(p);
     const MeBool hasEvent = r->event < remaining - min;
     const MeBool chatters = hasEvent && r->trembles; /* slow impacts would follow each other endlessly */
-    if (!isAccurate(p) || r->factorizations > MDT_MAX_FACTORIZATIONS || chatters || mdt_isCrushed(p) ||
+    if (!isAccurate(p) || r->factorizations > MDT_MAX_FACTORIZATIONS || chatters || r->twisted || mdt_isCrushed(p) ||
         p->record->crushed > 0)
         return r->violent ? VIOLENT : NOT_TIMED;
     if (!hasEvent)

@@ -347,17 +347,24 @@ static void pointOfOwner(const MdtKeaSystem *s, const KeaContact *c, int k, cons
     movePoint(s, c, k, move[k], share, out, p);
 }
 
-/* Lever arms of a rolling contact: each of two round surfaces has its own point; a flat one uses that of the round
- * one. */
+/* Lever arms of a rolling contact. A flat surface uses the point of the round one. Of two round ones each has its own
+ * point, if these stay on the line of centres; else both use the middle of these, as forces that act along two lines
+ * would turn a closed system. */
 static void rollArms(const MdtKeaSystem *s, const KeaContact *c, const double move[2][6], double share,
                      double arm[2][3]) {
+    double p[2][3];
+    for (int k = 0; k < 2; k++)
+        pointOfOwner(s, c, isOwner(c, k) ? k : 1 - k, move, share, p[k]);
     for (int k = 0; k < 2; k++) {
-        const int owner = isOwner(c, k) ? k : 1 - k;
         MdtKeaTransformation memory;
-        double p[3], displacement[3], turn[3];
-        pointOfOwner(s, c, owner, move, share, p);
+        double displacement[3], turn[3];
         motionOf(s, c, k, move[k], displacement, turn);
-        keaSubtract(arm[k], p, poseOf(s, c, k, &memory)->pos);
+        keaSubtract(arm[k], p[k], poseOf(s, c, k, &memory)->pos);
+        if (!c->followsCentres) {
+            double between[3];
+            keaSubtract(between, p[1 - k], p[k]);
+            keaAddScaled(arm[k], 0.5, between);
+        }
         keaAddScaled(arm[k], -share, displacement);
     }
 }
