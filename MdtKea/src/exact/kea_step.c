@@ -464,8 +464,6 @@ static double torqueOfPair(const MdtKeaSystem *s, int i) {
 /* Whether the lever arms of a contact of jointed bodies are not those of the motion that was found: they follow only a
  * first guess of it, as passes under heavy loads would not converge. */
 static MeBool isTwisted(const MdtKeaSystem *s) {
-    /* of a body's impulse times its size; of 540 closed systems 17 turn with 1e-6 to 1e-2, 55 without */
-    static const double max = 1e-3;
     const KeaProblem *q = &s->work->problem;
     for (int i = 0; i < s->numRows; i++) {
         const KeaProblemRow *p = &q->row[i];
@@ -476,7 +474,7 @@ static MeBool isTwisted(const MdtKeaSystem *s) {
         double scale = 0;
         for (int k = 0; k < 2; k++)
             scale = keaMax(scale, q->scale[p->body[k]] * q->length[p->body[k]]);
-        if (torqueOfPair(s, i) > max * scale)
+        if (torqueOfPair(s, i) > kea_maxTwist * scale)
             return METRUE;
     }
     return MEFALSE;
