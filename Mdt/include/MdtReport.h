@@ -53,8 +53,8 @@ typedef enum MdtReportStage {
 
 /**
  * Report of one partition, or of all partitions of a step: counts, energies and times are sums, errors are maxima.
- * Solves that were discarded, because their part of the step was divided, are counted, but not their errors. The work
- * of impacts is in the time only. Small partitions that were solved together (docs/solver.md, "Debris") each have the
+ * Solves that were discarded, because their part of the step was divided, are counted, but not their errors. Impacts
+ * are in work and time only. Small partitions that were solved together (docs/solver.md, "Debris") each have the
  * parts, passes, iterations and residuals of all of them, and a share of work and time by bodies and rows.
  */
 typedef struct MdtReport {
