@@ -46,7 +46,7 @@ void kea_setDepths(const MdtKeaSystem *s, double speed) {
         const MdtKeaRow *row = &s->rows[i];
         if (row->contact != i || row->error >= 0 || kea_isBlow(s, i, speed))
             continue;
-        const double depth = keaMin(-row->error, kea_nearbyGap * kea_smallerExtent(s, row->body));
+        const double depth = keaMin(-row->error, kea_waitingDepth * kea_smallerExtent(s, row->body));
         for (int k = 0; k < 2; k++)
             if (row->body[k] >= 0)
                 s->work->body[row->body[k]].depth = keaMax(s->work->body[row->body[k]].depth, depth);
