@@ -79,13 +79,17 @@ static double energyOf(McdModelID model, double radius) {
            gravity * ((double)at[2] - radius + depthOf(radius));
 }
 
-/* For about ten swings. */
-static Energy rock(const Scene *s, int ground) {
+static void begin(int ground, double size, double friction) {
     universe_begin(&MstUniverseGrowingSizes);
     MdtWorldSetGravity(u->world, 0, 0, (MeReal)-gravity);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 5, 0);
+    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), (MeReal)friction, 0);
     MdtWorldSetAutoDisable(u->world, MEFALSE);
-    layGround(ground, s->radius);
+    layGround(ground, size);
+}
+
+/* For about ten swings. */
+static Energy rock(const Scene *s, int ground) {
+    begin(ground, s->radius, 5);
     const McdModelID model = makeHalfCylinder(s);
     const double start = energyOf(model, s->radius);
     Energy e = {.max = 0};
@@ -142,11 +146,7 @@ static McdModelID makeBlock(const Block *b) {
 
 /* rad: the largest tilt after each of three blows. */
 static void findPeaks(const Block *b, int ground, double peak[3]) {
-    universe_begin(&MstUniverseGrowingSizes);
-    MdtWorldSetGravity(u->world, 0, 0, (MeReal)-gravity);
-    MdtContactParamsSetSurface(MstBridgeGetContactParams(u->bridge, 0, 0), 1, 0);
-    MdtWorldSetAutoDisable(u->world, MEFALSE);
-    layGround(ground, b->size);
+    begin(ground, b->size, 1);
     const McdModelID model = makeBlock(b);
     double side = 1;
     memset(peak, 0, 3 * sizeof *peak);

@@ -7,6 +7,7 @@
 #include "kea_i.h"
 #include "MeAssert.h"
 #include "common/kea_policy_i.h"
+#include <string.h>
 
 double kea_kineticEnergy(const MdtKeaSystem *s, double (*velocity)[6], double (*change)[6]) {
     double sum = 0, v[6];
@@ -25,19 +26,24 @@ static double startEnergy(const MdtKeaSystem *s, int b) {
            (keaDot(body->velocity, body->velocity) / body->invMass + keaDot(body->angularMomentum, s->velocity[b].ang));
 }
 
+/* J: the work of the loads on body b along a motion v. */
+static double workAlong(const MdtKeaSystem *s, int b, const double v[6]) {
+    double dv[3], dL[3];
+    keaSubtract(dv, s->predicted[b].lin, s->bodies[b]->velocity);
+    keaSubtract(dL, s->work->body[b].freeMomentum, s->bodies[b]->angularMomentum);
+    return keaDot(dv, v) / s->bodies[b]->invMass + keaDot(dL, v + 3);
+}
+
 /* J: the work of the loads on body b in the step: with u, by which jointed bodies move, or along the displacement of
  * others, which do not move by u. */
 static double workOfLoads(const MdtKeaSystem *s, int b) {
-    const double *u = s->work->body[b].u;
-    double dv[3], dL[3], mean[3];
-    keaCopy(mean, u);
+    double mean[6];
+    memcpy(mean, s->work->body[b].u, sizeof mean);
     if (!s->work->body[b].isTied) {
         keaSubtract(mean, s->work->end[b].position, s->bodies[b]->position);
         keaScale(mean, 1 / s->parameters.stepsize, mean);
     }
-    keaSubtract(dv, s->predicted[b].lin, s->bodies[b]->velocity);
-    keaSubtract(dL, s->work->body[b].freeMomentum, s->bodies[b]->angularMomentum);
-    return keaDot(dv, mean) / s->bodies[b]->invMass + keaDot(dL, u + 3);
+    return workAlong(s, b, mean);
 }
 
 /* J: the work of springs, motors, moving surfaces and moving attachments in the step. */
@@ -164,14 +170,6 @@ static double workOfCorrection(const MdtKeaSystem *s) {
         momentum += keaLength(dv) / s->bodies[b]->invMass;
     }
     return momentum * speedOfCorrection(s, METRUE);
-}
-
-/* J: the work of the loads on body b along a motion v. */
-static double workAlong(const MdtKeaSystem *s, int b, const double v[6]) {
-    double dv[3], dL[3];
-    keaSubtract(dv, s->predicted[b].lin, s->bodies[b]->velocity);
-    keaSubtract(dL, s->work->body[b].freeMomentum, s->bodies[b]->angularMomentum);
-    return keaDot(dv, v) / s->bodies[b]->invMass + keaDot(dL, v + 3);
 }
 
 /* The common velocity of the displacements, without the rotation: the mean of those at the start and after the loads,
